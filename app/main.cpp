@@ -8,7 +8,6 @@
 #ifdef TOILE_GUI
 #include "app/export/paint_drawing.h"
 #include "app/report_pictures.h"
-#include "app/run_render.h"
 #include "app/run_window.h"
 #endif
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/run_render.h"
-
 #include <QBuffer>
 #include <QFile>
 #include <QGuiApplication>
@@ -10,12 +8,13 @@
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
 #include "app/document/document.h"
-#include "app/document/project_state.h"
 #include "app/jobs/derivation.h"
+#include "app/jobs/file_jobs.h"
 #include "app/jobs/proof_job.h"
 #include "app/jobs/reference_finder.h"
 #include "app/platform_choice.h"
 #include "app/render/offscreen.h"
+#include "app/run_window.h"
 #include "app/settings/language.h"
 #include "app/settings/theme.h"
 #include "app/views/view_picture.h"

@@ -10,6 +10,8 @@
 
 namespace toile::app {
 
+struct Arguments;
+
 struct WindowOptions {
     std::vector<std::filesystem::path> files;  ///< opened as one garment
     LoadOptions load;                          ///< options for reading, dividing and cutting
@@ -26,5 +28,10 @@ struct WindowOptions {
 /// @return exit status: 0; 3 if there is no display; with `screenshot` also 3 if the garment could
 ///         not be read or the picture not written
 int runWindow(int argc, char** argv, const WindowOptions& options);
+
+/// Runs `toile render`: reads and flattens as `toile flatten` does, draws the views without a
+/// window and writes them as PNG. Notes and errors go to stderr, a sentence each. Never throws.
+/// @return exit status as of the other commands; 3 also where nothing can be drawn here
+int runRender(int argc, char** argv, const Arguments& typed);
 
 }  // namespace toile::app

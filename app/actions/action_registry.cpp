@@ -69,11 +69,12 @@ void ActionRegistry::connectTo(GarmentActions& garment) const {
     }
 }
 
-void ActionRegistry::followEnabled(Workspace& workspace) const {
+void ActionRegistry::followEnabled(Workspace& workspace, const DocumentChange* what) const {
     for (const ActionSpec& spec : actionTable()) {
-        if (spec.work.enabledWhen) {
+        const When& when = spec.work.enabledWhen;
+        if (when && (!what || !when.reads || when.reads(*what))) {
             ++evaluations_;
-            (*this)[spec.id].setEnabled(spec.work.enabledWhen(workspace));
+            (*this)[spec.id].setEnabled(when(workspace));
         }
     }
 }

@@ -31,7 +31,8 @@ public:
     /// Connects all actions to their work in the table, while `garment` lives.
     void connectTo(GarmentActions& garment) const;
     /// Updates which actions are enabled.
-    void followEnabled(Workspace& workspace) const;
+    /// @param what  evaluates only conditions that read this; null for all
+    void followEnabled(Workspace& workspace, const DocumentChange* what = nullptr) const;
     /// Number of conditions evaluated so far.
     int evaluations() const { return evaluations_; }
     /// Updates which actions are checked.

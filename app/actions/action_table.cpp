@@ -28,47 +28,64 @@ using PieceIndices = std::vector<int>;
 
 constexpr double kRightAngle = std::numbers::pi / 2;
 
-bool isOpen(Workspace& on) {
-    return on.document().garment() != nullptr;
+/// True if one of these has changed.
+template <auto... Keys>
+bool touched(const DocumentChange& change) {
+    return change.touches(Keys...);
 }
+constexpr When::Reads kOpens = touched<&Derived::garment>;
+constexpr When::Reads kDraws = touched<&Derived::scene>;
+
+const When isOpen([](Workspace& on) { return on.document().garment() != nullptr; }, kOpens);
 
 bool canRedo(Workspace& on) {
     return on.document().history().canRedo();
 }
 
-bool showsFigures(Workspace& on) {
-    return isOpen(on) && isMeasured(on.document().view().overlay);
-}
+const When showsFigures(
+    [](Workspace& on) { return isOpen(on) && isMeasured(on.document().view().overlay); },
+    touched<&Derived::garment, DocumentChange::View>);
 
-bool hasReference(Workspace& on) {
-    const auto& scene = on.document().scene();
-    return on.document().state().reference.file ||
-           (scene && !scene->patternLines.reference.empty());
-}
+const When hasReference(
+    [](Workspace& on) {
+        const auto& scene = on.document().scene();
+        return on.document().state().reference.file ||
+               (scene && !scene->patternLines.reference.empty());
+    },
+    touched<&Derived::scene, &DocumentState::reference>);
 
 bool namesReference(Workspace& on) {
     return isOpen(on) && !on.document().state().reference.path.empty();
 }
 
-bool hasExactOutline(Workspace& on) {
-    const auto& scene = on.document().scene();
-    return scene && !scene->patternLines.exact.empty();
-}
+const When hasExactOutline(
+    [](Workspace& on) {
+        const auto& scene = on.document().scene();
+        return scene && !scene->patternLines.exact.empty();
+    },
+    kDraws);
 
-bool hasCuttingLine(Workspace& on) {
-    const auto& scene = on.document().scene();
-    return scene && !scene->patternLines.cutting.empty();
-}
+const When hasCuttingLine(
+    [](Workspace& on) {
+        const auto& scene = on.document().scene();
+        return scene && !scene->patternLines.cutting.empty();
+    },
+    kDraws);
 
-bool hasNotches(Workspace& on) {
-    const auto& scene = on.document().scene();
-    return scene && !scene->patternLines.notches.empty();
-}
+const When hasNotches(
+    [](Workspace& on) {
+        const auto& scene = on.document().scene();
+        return scene && !scene->patternLines.notches.empty();
+    },
+    kDraws);
 
-bool hasInternalLines(Workspace& on) {
-    const auto& scene = on.document().scene();
-    return scene && !(scene->patternLines.internal.empty() && scene->garmentLines.internal.empty());
-}
+const When hasInternalLines(
+    [](Workspace& on) {
+        const auto& scene = on.document().scene();
+        return scene &&
+               !(scene->patternLines.internal.empty() && scene->garmentLines.internal.empty());
+    },
+    kDraws);
 
 bool drawsMirrored(Workspace& on) {
     return isOpen(on) && on.document().state().lines.mirror != Mirror::None;
@@ -87,18 +104,18 @@ const Seam* selectedSeam(Workspace& on) {
     return seam ? &on.document().garment()->seams.seams[static_cast<std::size_t>(*seam)] : nullptr;
 }
 
-bool isSewnSeam(Workspace& on) {
-    const Seam* seam = selectedSeam(on);
-    return seam && seam->kind != SeamKind::Free;
-}
+const When isSewnSeam(
+    [](Workspace& on) {
+        const Seam* seam = selectedSeam(on);
+        return seam && seam->kind != SeamKind::Free;
+    },
+    touched<&Derived::garment, DocumentChange::Selection>);
 
-bool isOnePiece(Workspace& on) {
-    return on.document().selection().size() == 1;
-}
+const When isOnePiece([](Workspace& on) { return on.document().selection().size() == 1; },
+                      touched<&Derived::garment, DocumentChange::Selection>);
 
-bool isAnyPiece(Workspace& on) {
-    return !on.document().selection().empty();
-}
+const When isAnyPiece([](Workspace& on) { return !on.document().selection().empty(); },
+                      touched<&Derived::garment, DocumentChange::Selection>);
 
 bool isAnyPieceOut(Workspace& on, bool leftOut) {
     return std::ranges::any_of(on.document().selection(), [&on, leftOut](int piece) {
@@ -148,7 +165,7 @@ bool isDart(Workspace& on) {
 
 bool isSeamOfDart(Workspace& on) {
     const Seam* seam = selectedSeam(on);
-    return seam && seam->kind == SeamKind::Seam && on.isSeamOfDart(*on.document().seam());
+    return seam && seam->kind == SeamKind::Seam && on.cuts().isSeamOfDart(*on.document().seam());
 }
 
 bool isAnyFlat(Workspace& on) {
@@ -174,10 +191,10 @@ ActionWork asks(void (Workspace::*request)(), When when) {
     return {[request](GarmentActions& on, bool) { (on.workspace().*request)(); }, std::move(when)};
 }
 
-ActionWork asksOfSeam(void (Workspace::*request)(int), When when) {
+ActionWork asksOfSeam(void (CutEditor::*request)(int), When when) {
     return {[request](GarmentActions& on, bool) {
                 if (const auto seam = on.workspace().document().seam()) {
-                    (on.workspace().*request)(*seam);
+                    (on.workspace().cuts().*request)(*seam);
                 }
             },
             std::move(when)};
@@ -761,7 +778,7 @@ std::vector<ActionSpec> makeActions() {
          "",
          TR("Cut open those selected pieces that cannot lie flat"),
          {[](GarmentActions& on, bool) {
-              on.workspace().cutOpen(selectedOpenable(on.workspace()));
+              on.workspace().cuts().openPieces(selectedOpenable(on.workspace()));
           },
           [](Workspace& on) { return !selectedOpenable(on).empty(); }}},
         {ActionId::DartHere,
@@ -778,7 +795,7 @@ std::vector<ActionSpec> makeActions() {
          {.enabledWhen = isSeamMeant}},
         {ActionId::JoinSeam, "joinSeam", TR("&Join at seam"), "",
          TR("Join the cloth at the selected seam; removes your own cut there"),
-         asksOfSeam(&Workspace::joinSeam, isSewnSeam)},
+         asksOfSeam(&CutEditor::joinSeam, isSewnSeam)},
         {ActionId::ResetEase, "resetEase", TR("Rese&t ease"), "Del",
          TR("Use the ease that follows from the 3D lengths of the selected seam"),
          asks(&GarmentActions::resetEase, isEasedSeam)},
@@ -848,10 +865,10 @@ std::vector<ActionSpec> makeActions() {
          switches(&ViewState::snapping)},
         {ActionId::DartToSeam, "dartToSeam", TR("Turn d&art into seam"), "",
          TR("Cut the selected dart from its tip to the edge to make a seam"),
-         asksOfSeam(&Workspace::dartToSeam, isDart)},
+         asksOfSeam(&CutEditor::dartToSeam, isDart)},
         {ActionId::SeamToDart, "seamToDart", TR("Turn seam int&o dart"), "",
          TR("Remove the cut that turned a dart into the selected seam"),
-         asksOfSeam(&Workspace::seamToDart, isSeamOfDart)},
+         asksOfSeam(&CutEditor::seamToDart, isSeamOfDart)},
         {ActionId::MirrorEdits, "mirrorEdits", TR("Mirror &edits"), "Y",
          TR("Apply cuts and grain changes to both mirrored pieces if they are drawn equal"),
          mirrorsEditsToo()},

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/document/document_change.h"
 #include "core/flatten/base/flat_piece.h"
 
 namespace toile::app {
@@ -209,8 +210,24 @@ enum class ActionGroup {
     Split
 };
 
-/// Condition under which an action is enabled.
-using When = std::function<bool(Workspace&)>;
+/// Condition under which an action is enabled, and the changes of the document that can alter it.
+struct When {
+    using Holds = std::function<bool(Workspace&)>;
+    using Reads = bool (*)(const DocumentChange&);
+
+    When() = default;
+    When(std::nullptr_t) {}
+    template <class Function>
+    requires std::is_invocable_r_v<bool, Function&, Workspace&> When(Function function,
+                                                                     Reads what = nullptr)
+        : holds(std::move(function)), reads(what) {}
+
+    bool operator()(Workspace& on) const { return holds(on); }
+    explicit operator bool() const { return holds != nullptr; }
+
+    Holds holds{};          ///< none: always true
+    Reads reads = nullptr;  ///< null: any change
+};
 
 /// What an action does, and when it is enabled. Work of views, panels and the window is connected
 /// there (`ActionRegistry::on`).

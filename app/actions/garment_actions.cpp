@@ -58,7 +58,8 @@ GarmentActions::GarmentActions(ActionRegistry& actions, Workspace& workspace,
 
 void GarmentActions::connectState() {
     const auto askWhich = [this] { actions_.followEnabled(workspace_); };
-    connect(&workspace_.document(), &Document::changed, this, &GarmentActions::followAll);
+    connect(&workspace_.document(), &Document::changed, this,
+            [this](const DocumentChange& what) { follow(&what); });
     for (const JobRunner* jobs : workspace_.runners()) {
         connect(jobs, &JobRunner::started, this, askWhich);
         connect(jobs, &JobRunner::idle, this, askWhich);
@@ -67,17 +68,17 @@ void GarmentActions::connectState() {
     for (const auto signal : {&CutProposals::changed, &CutProposals::closed}) {
         connect(&workspace_.proposals(), signal, this, &GarmentActions::updateHistory);
     }
-    connect(&workspace_, &Workspace::loadingChanged, this, &GarmentActions::followAll);
+    connect(&workspace_, &Workspace::loadingChanged, this, [this] { follow(); });
     // indexChanged may precede the document's update, so only texts of the history are used.
     connect(&workspace_.document().history(), &QUndoStack::indexChanged, this,
             &GarmentActions::updateHistory);
     updateHistory();
-    followAll();
+    follow();
 }
 
-void GarmentActions::followAll() {
+void GarmentActions::follow(const DocumentChange* what) {
     actions_.followChecked(workspace_);
-    actions_.followEnabled(workspace_);
+    actions_.followEnabled(workspace_, what);
 }
 
 void GarmentActions::updateHistory() {
@@ -126,7 +127,7 @@ void GarmentActions::askAndReadSeams() {
     if (path.isEmpty()) {
         return;
     }
-    const auto read = workspace_.readSeams(pathOf(path));
+    const auto read = workspace_.cuts().readSeams(pathOf(path));
     for (const Error& said : read ? *read : Problems{read.error()}) {
         emit failed(errorText(said));
     }
@@ -146,7 +147,7 @@ void GarmentActions::askAndWriteSeams() {
     if (path.isEmpty()) {
         return;
     }
-    const auto written = workspace_.writeSeams(pathOf(path));
+    const auto written = workspace_.cuts().writeSeams(pathOf(path));
     if (!written) {
         emit failed(errorText(written.error()));
     }
@@ -176,8 +177,8 @@ void GarmentActions::askForBody() {
         Document& document = workspace_.document();
         ProofPlan plan = document.state().proof;
         plan.body = pathOf(QFileInfo(path).absoluteFilePath());
-        plan.bodyUnit.reset();  // it was that of another file
-        document.setProofPlan(std::move(plan), tr("Use body as dress form"));
+        plan.bodyUnit.reset();  // that of another file
+        document.edit(tr("Use body as dress form"), &DocumentState::proof, std::move(plan));
     }
 }
 
@@ -300,7 +301,7 @@ void GarmentActions::askForMaterial() {
 
 void GarmentActions::resetEase() {
     if (const auto seam = workspace_.document().seam()) {
-        workspace_.setEase(*seam, std::nullopt);
+        workspace_.document().setSeamEase(*seam, std::nullopt);
     }
 }
 

@@ -71,7 +71,7 @@ signals:
 private:
     void connectState();
     void updateHistory();
-    void followAll();
+    void follow(const DocumentChange* what = nullptr);
     void openNow(const QStringList& files);
     /// @param format  suggested extension  @param onlySelected  suggested, too
     void askAndExportAs(const QString& format, bool onlySelected = false);

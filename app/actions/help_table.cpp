@@ -9,7 +9,6 @@
 #include "app/actions/menu_table.h"
 #include "app/base/text.h"
 #include "app/document/document.h"
-#include "app/document/names.h"
 
 namespace toile::app {
 namespace {

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "app/document/document.h"
-#include "app/document/names.h"
 #include "app/document/piece_edits.h"
 
 namespace toile::app {

@@ -3,10 +3,13 @@
 
 #include <QFutureWatcher>
 #include <QThreadPool>
+#include <QTimer>
 #include <exception>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include <QtConcurrent/QtConcurrentRun>
@@ -98,52 +101,121 @@ private:
     std::unique_ptr<Running> running_;
 };
 
-/// Answers questions on another thread, latest first: a new question replaces a waiting one.
-/// `isSameQuestion` tells which have the same answer. GUI thread only.
-template <class Question, class Answer>
-class Answerer {
+/// Passes the latest value from a worker to the window.
+template <class Value>
+class Mailbox {
 public:
-    using Work = std::function<Answer(const Question&)>;
-    /// @param isLast  no other question is waiting
-    using Take = std::function<void(Attempt<Answer>, const Question&, bool isLast)>;
-
-    /// @param isSmall  whether to answer at once, if idle
-    Answerer(Work work, std::function<bool(const Question&)> isSmall, Take take)
-        : work_(std::move(work)), isSmall_(std::move(isSmall)), take_(std::move(take)) {}
-
-    bool isBusy() const { return worker_.isBusy(); }
-
-    void ask(Question question) {
-        if (asked_ && isSameQuestion(question, *asked_)) {
-            next_.reset();  // the work in progress answers it
-        } else if (isBusy()) {
-            next_ = std::move(question);
-        } else {
-            start(std::move(question));
-        }
+    void put(std::shared_ptr<const Value> value) {
+        const std::lock_guard lock(mutex_);
+        latest_ = std::move(value);
+    }
+    /// Null if there is nothing new.
+    std::shared_ptr<const Value> take() {
+        const std::lock_guard lock(mutex_);
+        return std::exchange(latest_, nullptr);
     }
 
 private:
-    void start(Question question) {
-        asked_ = question;
-        next_.reset();
-        if (isSmall_(question)) {
-            take_(attempt([this, &question] { return work_(question); }), question, true);
-            return;
+    std::mutex mutex_;
+    std::shared_ptr<const Value> latest_;
+};
+
+/// Keeps an answer up to date: works on the question asked last, on another thread, and hands the
+/// answer over on the window's. Asking what was asked last does nothing. Work that takes a Progress
+/// is cancelled when something else is asked, and its answer dropped; other work is finished, and
+/// its answer handed over as an older one. `isSameQuestion` says which questions have one answer,
+/// where `==` does not. GUI thread only.
+template <class Question, class Answer>
+class Follower {
+public:
+    /// @param isLast  nothing else has been asked since
+    using Take = std::function<void(Attempt<Answer>, const Question&, bool isLast)>;
+    using IsSmall = std::function<bool(const Question&)>;
+
+    /// @param work     Answer(const Question&) or Answer(const Question&, Progress&)
+    /// @param isSmall  a question that is answered at once if nothing is worked on
+    /// @param pause    milliseconds to wait for another question
+    template <class Work>
+    Follower(Work work, Take take, IsSmall isSmall = {}, int pause = 0)
+        : isCancellable_(std::is_invocable_v<Work, const Question&, Progress&>),
+          take_(std::move(take)),
+          isSmall_(std::move(isSmall)) {
+        if constexpr (std::is_invocable_v<Work, const Question&, Progress&>) {
+            work_ = std::move(work);
+        } else {
+            work_ = [work = std::move(work)](const Question& asked, Progress&) {
+                return work(asked);
+            };
         }
-        worker_.start([work = work_, question](Progress&) { return work(question); },
-                      [this, question](Attempt<Answer> made, const Progress&) {
-                          take_(std::move(made), question, !next_);
-                          if (next_ && !isBusy()) {  // `take_` may have asked a newer question
-                              ask(*std::exchange(next_, std::nullopt));
-                          }
-                      });
+        pause_.setSingleShot(true);
+        pause_.setInterval(pause);
+        QObject::connect(&pause_, &QTimer::timeout, &pause_, [this] { start(); });
     }
 
-    Work work_;
-    std::function<bool(const Question&)> isSmall_;
+    /// True until the question asked last is answered.
+    bool isBusy() const { return isOpen_; }
+    /// Of the work on it; null where it has not begun.
+    const Progress* progress() const { return isOpen_ ? worker_.progress() : nullptr; }
+
+    void ask(Question question) {
+        if (asked_ && isSame(question, *asked_)) {
+            return;
+        }
+        asked_ = std::move(question);
+        isOpen_ = true;
+        if (isCancellable_) {
+            worker_.cancel();
+        }
+        pause_.interval() > 0 ? pause_.start() : start();
+    }
+
+    /// Nothing is asked any more, and no answer handed over.
+    void forget() {
+        asked_.reset();
+        isOpen_ = false;
+        pause_.stop();
+        worker_.cancel();
+    }
+
+private:
+    static bool isSame(const Question& one, const Question& other) {
+        if constexpr (requires { isSameQuestion(one, other); }) {
+            return isSameQuestion(one, other);
+        } else {
+            return one == other;
+        }
+    }
+
+    void start() {
+        if (!isOpen_ || worker_.isBusy() || pause_.isActive()) {
+            return;  // what is worked on ends first, or another question may come
+        }
+        const Question question = *asked_;
+        if (isSmall_ && isSmall_(question)) {
+            Progress progress;
+            isOpen_ = false;
+            take_(attempt([&] { return work_(question, progress); }), question, true);
+            return;
+        }
+        worker_.start(
+            [work = work_, question](Progress& progress) { return work(question, progress); },
+            [this, question](Attempt<Answer> made, const Progress& progress) {
+                const bool isLast = asked_ && isSame(question, *asked_);
+                if (!progress.isCancelled()) {
+                    isOpen_ = isOpen_ && !isLast;
+                    take_(std::move(made), question, isLast);
+                }
+                start();
+            });
+    }
+
+    bool isCancellable_;
+    std::function<Answer(const Question&, Progress&)> work_;
     Take take_;
-    std::optional<Question> asked_, next_;
+    IsSmall isSmall_;
+    QTimer pause_;
+    std::optional<Question> asked_;
+    bool isOpen_ = false;
     Worker<Answer> worker_;
 };
 

@@ -20,7 +20,6 @@
 
 #include "app/base/text.h"
 #include "app/document/document.h"
-#include "app/document/names.h"
 #include "app/render/gl_support.h"
 #include "app/render/overlay_values.h"
 #include "app/render/pattern_renderer.h"

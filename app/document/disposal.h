@@ -1,20 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
+#include <QCoreApplication>
+#include <QThread>
+#include <QThreadPool>
 #include <memory>
 
 namespace toile::app {
 
-/// Calls this on another thread where the window's thread asks for it; elsewhere at once.
-void doElsewhere(std::function<void()> work);
-
-/// Shares a large value so that it is never destroyed on the window's thread, whoever lets go of it
-/// last: giving back some hundred megabytes takes longer than the window may be held up.
+/// Shares a large value that is never destroyed on the window's thread: freeing some hundred
+/// megabytes takes longer than the window may be blocked.
 template <class Value>
 std::shared_ptr<Value> sharedForDisposal(std::unique_ptr<Value> value) {
-    return std::shared_ptr<Value>(value.release(),
-                                  [](Value* old) { doElsewhere([old] { delete old; }); });
+    return std::shared_ptr<Value>(value.release(), [](Value* old) {
+        // The application waits for the pool at its end; without one there is no window either.
+        const QCoreApplication* application = QCoreApplication::instance();
+        if (application && QThread::currentThread() == application->thread()) {
+            QThreadPool::globalInstance()->start([old] { delete old; });
+        } else {
+            delete old;
+        }
+    });
 }
 
 }  // namespace toile::app

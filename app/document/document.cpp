@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Longer than a file mostly is: state, what is shown of it and selection change together, and every
-// change is told once.
+// This file is long because state, derived values and selection change together and are announced
+// once.
 #include "app/document/document.h"
 
 #include <QString>
@@ -9,17 +8,17 @@
 
 #include "app/base/text.h"
 #include "app/document/history.h"
-#include "app/document/names.h"
 #include "app/document/shown_proof.h"
 #include "core/garment/lineage.h"
 #include "core/pattern/pattern.h"
 #include "core/pattern/target_lengths.h"
+#include "core/project/piece_names.h"
 #include "core/seam/seam_settings.h"
 
 namespace toile::app {
 namespace {
 
-/// Steps that can be undone. States share what they have in common, so most cost little.
+/// Number of steps that can be undone. States share their common parts, so most cost little.
 constexpr int kMaxSteps = 500;
 
 /// The first seam that one of the cuts has made.
@@ -47,7 +46,7 @@ Document::Document(QObject* parent) : QObject(parent) {
 }
 
 Document::~Document() {
-    history_.blockSignals(true);  // it clears itself, and who listened may be gone
+    history_.blockSignals(true);  // it clears itself when no listeners remain
 }
 
 const PieceResult* Document::result(int piece) const {
@@ -181,12 +180,12 @@ void Document::takeBack(DocumentState rest) {
     const Derived before = derived_;
     takesBack_ = true;
     while (history_.index() > currentAt_ && !isCurrent()) {
-        history_.undo();  // it goes by that: StateStep::undo
+        history_.undo();  // and removes the step, see StateStep::undo
     }
     while (history_.index() < currentAt_ && history_.canRedo()) {
         history_.redo();
     }
-    if (!wentBack || !isCurrent()) {  // a step back that came to nothing was never made
+    if (!wentBack || !isCurrent()) {  // an undo that came to nothing makes no step
         edit(text, std::move(rest));
     }
     takesBack_ = false;
@@ -261,7 +260,7 @@ void Document::refreshSettings(bool otherPieces) {
         settings_.assign(count, {});
     }
     for (std::size_t i = 0; i < count; ++i) {
-        // What a state does not know that is about to come stays as it was.
+        // A piece that the coming state does not know keeps its settings.
         if (const auto said = state_.settings.find(garment()->pieces[i]->id);
             said != state_.settings.end()) {
             settings_[i] = said->second;
@@ -273,7 +272,7 @@ void Document::keepSelection(const Derived& before) {
     Selection kept;
     std::optional<int> seam;
     if (!selection_.empty()) {
-        // What a selected piece was cut into, and what it became part of.
+        // The pieces that a selected piece was cut into, and the piece that it became part of.
         const auto& pieces = garment()->pieces;
         const std::vector<int> was = predecessors(before.garment->pieces, pieces);
         const std::vector<int> is = predecessors(pieces, before.garment->pieces);
@@ -293,10 +292,10 @@ void Document::keepSelection(const Derived& before) {
         const int now = seamAt(garment()->seams, was.place);
         seam = now >= 0 ? std::optional(now) : seamOfCuts(garment()->seams, was.cuts);
     }
-    // The indices may mean others now even where they are the same numbers.
+    // The same indices may mean other pieces now.
     selection_ = std::move(kept);
     seam_ = seam;
-    // Vertices and edges are others in a piece that was cut.
+    // A piece that was cut has other vertices and edges.
     mark_.reset();
     hover_.reset();
 }
@@ -311,9 +310,7 @@ void Document::show(Derived derived, SettingsById settings) {
 }
 
 void Document::setOptions(const FlattenOptions& options, const QString& text) {
-    DocumentState next = state_;
-    next.options = options;
-    edit(text.isEmpty() ? tr("Change method") : text, std::move(next));
+    edit(text.isEmpty() ? tr("Change method") : text, &DocumentState::options, options);
 }
 
 const Fabric& Document::fabricOf(int piece) const {
@@ -323,16 +320,8 @@ const Fabric& Document::fabricOf(int piece) const {
 
 void Document::setLines(LineSettings lines, const QString& text, int gesture) {
     if (garment()) {
-        DocumentState next = state_;
-        next.lines = std::move(lines);
-        edit(text, std::move(next), gesture);
+        edit(text, &DocumentState::lines, std::move(lines), gesture);
     }
-}
-
-void Document::setProofPlan(ProofPlan plan, const QString& text, int gesture) {
-    DocumentState next = state_;
-    next.proof = std::move(plan);
-    edit(text, std::move(next), gesture);
 }
 
 template <class Value>
@@ -460,6 +449,26 @@ void Document::setOverlay(Overlay overlay) {
     ViewState view = view_;
     view.overlay = overlay;
     setView(view);
+}
+
+QString pieceName(const Document& document, int piece) {
+    return QString::fromStdString(nameOf(
+        document.state().labels, *document.garment()->pieces[static_cast<std::size_t>(piece)]));
+}
+
+QString seamName(const Document& document, int seam) {
+    const Garment& garment = *document.garment();
+    return QString::fromStdString(nameOf(document.state().labels, garment,
+                                         garment.seams.seams[static_cast<std::size_t>(seam)]));
+}
+
+QString nameOfPieces(const Document& document, const std::vector<int>& pieces) {
+    return pieces.size() == 1 ? pieceName(document, pieces.front())
+                              : tr("%n pieces", nullptr, static_cast<int>(pieces.size()));
+}
+
+QString stepOf(const Document& document, const QString& text, const std::vector<int>& pieces) {
+    return QString(text).replace("%1", nameOfPieces(document, pieces));
 }
 
 }  // namespace toile::app

@@ -5,22 +5,22 @@
 
 namespace toile::app {
 
-/// What a change of the document is about, for as long as it is announced: the document before and
-/// after it. Listeners ask whether it touches what they read, so that a new setting needs no edit
-/// here, nor in them.
+/// One change of the document, valid while it is announced: the document before and after it.
+/// Listeners ask whether it touches what they read, so that a new setting needs no edit here, nor
+/// in listeners.
 class DocumentChange {
 public:
-    /// What is neither part of the state nor derived from it.
+    /// Parts of the document besides its state and results.
     enum Part : unsigned {
         Selection = 1U << 0,       ///< which pieces, seam or mark are selected
         View = 1U << 1,            ///< ViewState
-        Proof = 1U << 2,           ///< the pattern sewn back together, or on its way there
+        Proof = 1U << 2,           ///< the proof, or cloth that is being sewn
         ReferenceMatch = 1U << 3,  ///< how the reference pattern lies on the pieces
     };
 
     DocumentChange() = default;
-    /// All of them outlive this. `stateBefore` is `state` and `before` is `after` where neither has
-    /// changed.
+    /// All arguments outlive this. `stateBefore` is `state`, and `before` is `after`, if they have
+    /// not changed.
     DocumentChange(const DocumentState& stateBefore, const DocumentState& state,
                    const Derived& before, const Derived& after, unsigned parts = 0)
         : stateBefore_(&stateBefore),
@@ -29,7 +29,7 @@ public:
           after_(&after),
           parts_(parts) {}
 
-    /// True if there are other pieces: indices of pieces and seams may mean others now.
+    /// True if the garment has other pieces: indices of pieces and seams may mean others now.
     bool hasOtherPieces() const {
         const Garment *was = before_->garment.get(), *is = after_->garment.get();
         return was != is && !(was && is && was->pieces == is->pieces);

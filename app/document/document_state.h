@@ -2,12 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
-#include "app/document/cloth_plans.h"
 #include "app/document/reference.h"
 #include "core/garment/fabric.h"
 #include "core/project/piece_settings.h"
@@ -15,6 +16,7 @@
 #include "core/toile/pipeline.h"
 
 namespace toile {
+struct MarkerPlan;
 struct Pattern;
 struct Symmetry;
 }  // namespace toile
@@ -23,50 +25,70 @@ namespace toile::app {
 
 struct Scene;
 
-/// What a person has decided: what one step of the history changes and undo brings back. Nothing
-/// in it is worked out; copies are cheap.
+/// The settings for laying the pieces on cloth, by material (`MarkerPlans`). Copies are cheap, as
+/// for all states of the history.
+class ClothPlans {
+public:
+    using Plans = std::map<std::string, MarkerPlan>;
+
+    ClothPlans();
+    explicit ClothPlans(Plans plans);
+
+    const Plans& all() const;
+    /// Default settings if there are none for the material.
+    const MarkerPlan& of(const std::string& material) const;
+    ClothPlans with(const std::string& material, MarkerPlan plan) const;
+
+    bool operator==(const ClothPlans& other) const;
+
+private:
+    std::shared_ptr<const Plans> plans_;
+};
+
+/// The user's decisions: one step of the history changes them, and undo brings them back. Nothing
+/// in it is derived; copies are cheap.
 struct DocumentState {
-    GarmentInputs inputs{};    ///< files, how they are divided and cut, the ease stated
-    FlattenOptions options{};  ///< how pieces are to be flattened
-    LineSettings lines{};      ///< and how their outlines are drawn
+    GarmentInputs inputs{};    ///< files, how they are divided and cut, stated ease
+    FlattenOptions options{};  ///< how pieces are flattened
+    LineSettings lines{};      ///< how their outlines are drawn
     Fabric fabric = fabricPresets().front();
-    MaterialList materials{};  ///< of the pieces that are cut from another fabric
+    MaterialList materials{};  ///< other fabrics that pieces are cut from
     SettingsById settings{};
     PieceLabels labels{};
-    ReferenceFile reference{};  ///< that the pieces are compared with
+    ReferenceFile reference{};  ///< compared with the pieces
     ClothPlans markers{};       ///< how the pieces are laid on cloth
-    ProofPlan proof{};          ///< and how the pattern is proved
+    ProofPlan proof{};          ///< how the pattern is proved
 
     bool operator==(const DocumentState&) const = default;
 };
 
-/// What follows from a state. Immutable and shared; equality compares what is large by pointer.
+/// The results for a state. Immutable and shared; equality compares large parts by pointer.
 struct Derived {
-    GarmentInputs inputs{};                    ///< what the garment was made of
-    std::shared_ptr<const Garment> garment{};  ///< null where nothing is open
-    /// One per piece, null where not flattened yet; or empty. May be of older options, or warm,
-    /// until others come.
+    GarmentInputs inputs{};                    ///< inputs of the garment
+    std::shared_ptr<const Garment> garment{};  ///< null if nothing is open
+    /// One per piece, null if not flattened yet; or empty. May be of older options, or warm, until
+    /// newer ones come.
     PieceResults results{};
-    std::optional<LineSettings> lines = LineSettings{};  ///< that results are of; none: of older
-    /// What results are mirrored by; null where they are not.
+    std::optional<LineSettings> lines = LineSettings{};  ///< of the results; none: older ones
+    /// The symmetry that results are mirrored by; null if they are not.
     std::shared_ptr<const Symmetry> symmetry{};
-    /// What is flat, as pieces of cloth, and what the views draw: of all this; or null, both.
+    /// The flat pieces as a pattern, and the content of the views: of all this; or both null.
     std::shared_ptr<const Pattern> pattern{};
     std::shared_ptr<const Scene> scene{};
-    std::size_t bytes = 0;  ///< about what results and scene take
+    std::size_t bytes = 0;  ///< approximate size of results and scene
 
     bool operator==(const Derived&) const = default;
 };
 
-/// The state's materials, with all that its pieces are cut from, and without those that nothing is.
+/// The state's materials that some piece is cut from, and new ones that pieces name.
 MaterialList materialsInUse(const DocumentState& state);
 /// Pieces that are left out.
 std::set<PieceId> leftOut(const SettingsById& settings);
-/// True where every piece has the result that the state asks for.
+/// True if every piece has the result that the state asks for.
 bool isFlattened(const Derived& derived, const DocumentState& state);
-/// True where some piece is flat that is left out, or the other way round, as far as that is known.
+/// True if a flat piece should be left out, or the other way round, as far as that is known.
 bool isLeftOutOtherwise(const Derived& derived, const DocumentState& state);
-/// True where some result is warm: another is to take its place.
+/// True if some result is warm, that is, preliminary.
 bool isWarm(const Derived& derived);
 
 }  // namespace toile::app

@@ -23,7 +23,7 @@ void StateStep::undo() {
 }
 
 bool StateStep::mergeWith(const QUndoCommand*) {
-    // The later step has been done already: the state before this one is all that is to be kept.
+    // The later step is already done: only the state before this one is kept.
     setObsolete(other_ == document_.state());
     return true;
 }

@@ -11,11 +11,11 @@ namespace toile::app {
 
 class Document;
 
-/// One step of the history: exchanges the document's state for another, finished one, and so cannot
-/// fail. Places that pieces are given afterwards become part of the state they were given for.
+/// One step of the history: swaps the document's state with another complete one, and so cannot
+/// fail. Places that pieces are given later become part of the state they were given for.
 class StateStep : public QUndoCommand {
 public:
-    /// @param gesture  steps of one gesture, such as a drag, become one; -1: stands alone
+    /// @param gesture  steps of one gesture, such as a drag, are merged; -1: a step of its own
     StateStep(Document& document, const QString& text, DocumentState next, int gesture);
 
     int id() const override { return gesture_; }
@@ -25,29 +25,29 @@ public:
 
 private:
     Document& document_;
-    DocumentState other_;   ///< to exchange the present one for
-    bool wasFlat_ = false;  ///< all of it, once
+    DocumentState other_;   ///< swapped with the present one
+    bool wasFlat_ = false;  ///< `other_` was flattened before
     int gesture_;
 };
 
-/// What was worked out before, so that steps back and forth bring it at once. The longest unused
-/// goes first; all of it can be worked out again.
+/// Derived values of earlier states, so that undo and redo show them at once. Evicts the least
+/// recently used; all of it can be derived again.
 class DerivedCache {
 public:
     static constexpr std::size_t kMaxBytes = std::size_t{1} << 30U;
 
-    /// Of scenes and results; what follows from several states counts once.
+    /// Counts scenes and results; shared ones once.
     void setMaxBytes(std::size_t bytes);
     void keep(const Derived& derived);
-    /// What follows from the state's inputs: flattened as it asks if that is there, else with the
-    /// pieces left out that it leaves out, else any; or null. Valid until the next call.
+    /// An entry for the state's inputs: preferably flattened as the state asks, else with the same
+    /// pieces left out, else any; or null. Valid until the next call.
     const Derived* find(const DocumentState& state);
     void clear() { kept_.clear(); }
 
 private:
     void evict();
 
-    std::list<Derived> kept_;  ///< last used first
+    std::list<Derived> kept_;  ///< most recently used first
     std::size_t maxBytes_ = kMaxBytes;
 };
 

@@ -9,7 +9,6 @@
 #include "app/base/text.h"
 #include "app/document/document.h"
 #include "app/document/mirrored_edits.h"
-#include "app/document/names.h"
 #include "app/document/piece_edits.h"
 #include "core/layout/marker.h"
 #include "core/pattern/half_pattern.h"
@@ -39,7 +38,7 @@ std::vector<int> piecesOf(const std::map<int, Value>& byPiece) {
     return pieces;
 }
 
-/// Lays pieces elsewhere. @param byHand  no other piece may push them away from there
+/// Moves pieces. @param byHand  no other piece may push them away from there
 void placeEach(Document& document, const QString& text, const PiecePlacements& placements,
                int gesture, bool byHand) {
     const auto place = [&](int piece, PieceSettings& settings) {

@@ -4,20 +4,25 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 
+#include "core/assemble/file_space.h"
 #include "core/garment/lineage.h"
 #include "core/pattern/dart_places.h"
 #include "core/pattern/facings.h"
+#include "core/pattern/mirrored_edit.h"
+#include "core/pattern/notches.h"
 #include "core/pattern/pattern.h"
 #include "core/pattern/piece_allowance.h"
 #include "core/seam/seam_settings.h"
+#include "core/symmetry/symmetry.h"
 
 namespace toile::app {
 
 namespace {
 
-/// Places on a line that differ by less are one.
+/// Places on a line that differ by less count as one.
 constexpr double kSameShare = 1e-7;
 
 /// Whether both stretches cover more than half of each other.
@@ -148,6 +153,42 @@ LineSettings withDartValue(LineSettings lines, const Garment& garment, int dart,
 /// Mirrored outlines run in opposite directions.
 DartLay mirroredLay(DartLay lay) {
     return lay == DartLay::First ? DartLay::Second : DartLay::First;
+}
+
+/// Places on a line, and shares of a seam, that are closer than this count as one.
+constexpr double kSamePart = 1e-6;
+
+bool isFirst(const SeamNotch& one, const SeamNotch& other) {
+    return std::tie(one.seam, one.share) < std::tie(other.seam, other.share);
+}
+
+bool areOne(const SeamNotch& one, const SeamNotch& other) {
+    return one.seam == other.seam && std::abs(one.share - other.share) < kSamePart;
+}
+
+/// The setting that put a notch exactly there; -1: none.
+int indexOf(const NotchRules& rules, const Garment& garment, const NotchAt& at) {
+    const auto place = notchSettingsAt(garment, at.seam, at.share);
+    const auto found = std::ranges::find_if(rules.notches, [&](const NotchSettings& said) {
+        return place && said.isThere && said.line == place->line &&
+               said.reversed == place->reversed && std::abs(said.at - place->at) < kSamePart;
+    });
+    return found == rules.notches.end() ? -1 : static_cast<int>(found - rules.notches.begin());
+}
+
+/// The same for the mirrored place; also -1 if it is ambiguous which end of the other seam mirrors
+/// the start of this one.
+int mirroredIndexOf(const NotchRules& rules, const Garment& garment, const NotchAt& at,
+                    const Symmetry* symmetry) {
+    const auto seam = static_cast<std::size_t>(at.seam);
+    if (!symmetry || seam >= symmetry->lengths.mirrored.size() ||
+        symmetry->lengths.mirrored[seam] < 0) {
+        return -1;
+    }
+    const int other = symmetry->lengths.mirrored[seam];
+    const int alike = indexOf(rules, garment, {other, at.share});
+    const int turned = indexOf(rules, garment, {other, 1 - at.share});
+    return alike < 0 || turned < 0 || alike == turned ? std::max(alike, turned) : -1;
 }
 
 }  // namespace
@@ -315,6 +356,129 @@ LineSettings withTurnPoint(LineSettings lines, const TurnPointSettings& point) {
         lines.turnPoints.push_back(point);
     }
     return lines;
+}
+
+LineSettings withInternalLine(LineSettings lines, const Garment& garment, std::string name,
+                              ClothPoints points, bool closed) {
+    InternalLine& line = lines.internalLines.emplace_back();
+    line.name = std::move(name);
+    line.points = inFileSpace(std::move(points), garment);
+    line.closed = closed && line.points.size() > 2;
+    return lines;
+}
+
+LineSettings withoutInternalLine(LineSettings lines, std::size_t index) {
+    if (index < lines.internalLines.size()) {
+        lines.internalLines.erase(lines.internalLines.begin() + static_cast<std::ptrdiff_t>(index));
+    }
+    return lines;
+}
+
+LineSettings withInternalPointMoved(LineSettings lines, const Garment& garment, std::size_t index,
+                                    std::size_t point, const Eigen::Vector3d& to) {
+    if (index < lines.internalLines.size() && point < lines.internalLines[index].points.size()) {
+        lines.internalLines[index].points[point] = inFileSpace(to, {}, garment);
+    }
+    return lines;
+}
+
+std::optional<ClothPoints> mirroredInternalLine(const Garment& garment, const PieceResults& results,
+                                                const Symmetry& symmetry, const ClothPoints& points,
+                                                bool closed) {
+    UserCut cut;
+    cut.kind = closed ? UserCut::Kind::Loop : UserCut::Kind::Path;
+    cut.points = points;
+    if (points.size() == 1) {
+        cut.points.push_back(points.front());  // a path of no length
+    }
+    auto image = mirroredCut(garment, results, symmetry, cut);
+    if (!image) {
+        return std::nullopt;
+    }
+    image->points.resize(points.size());
+    return std::move(image->points);
+}
+
+std::optional<std::size_t> imageOfInternalLine(const LineSettings& lines, const Garment& garment,
+                                               const PieceResults& results,
+                                               const Symmetry& symmetry, std::size_t index) {
+    const InternalLine& line = lines.internalLines[index];
+    const auto image = mirroredInternalLine(garment, results, symmetry,
+                                            inPieceSpace(line.points, garment), line.closed);
+    for (std::size_t k = 0; image && k < lines.internalLines.size(); ++k) {
+        const InternalLine& other = lines.internalLines[k];
+        if (k == index || other.closed != line.closed ||
+            other.points.size() != line.points.size()) {
+            continue;
+        }
+        const ClothPoints points = inPieceSpace(other.points, garment);
+        if (std::ranges::equal(points, *image, [](const auto& a, const auto& b) {
+                return (a - b).norm() < kSameImage;
+            })) {
+            return k;
+        }
+    }
+    return std::nullopt;
+}
+
+LineSettings withInternalLineAsImage(LineSettings lines, const Garment& garment,
+                                     const PieceResults& results, const Symmetry& symmetry,
+                                     std::size_t of, std::size_t image) {
+    const InternalLine& line = lines.internalLines[of];
+    if (auto points = mirroredInternalLine(garment, results, symmetry,
+                                           inPieceSpace(line.points, garment), line.closed)) {
+        lines.internalLines[image].points = inFileSpace(std::move(*points), garment);
+    }
+    return lines;
+}
+
+std::vector<SeamNotch> notchesOf(const Pattern& pattern) {
+    std::vector<SeamNotch> notches;
+    for (const PatternPiece& piece : pattern.pieces) {
+        for (const PieceNotch& notch : piece.notches) {
+            SeamNotch& one = notches.emplace_back();
+            one.seam = notch.seam - 1;
+            one.share = notch.share;
+            one.reason = notch.reason;
+        }
+    }
+    std::ranges::sort(notches, isFirst);
+    notches.erase(std::unique(notches.begin(), notches.end(), areOne), notches.end());
+    return notches;
+}
+
+LineSettings withNotch(LineSettings lines, const Garment& garment, const NotchAt& at) {
+    if (const auto said = notchSettingsAt(garment, at.seam, at.share)) {
+        lines.notches = lines.notches.value_or(NotchRules{});
+        lines.notches->notches.push_back(*said);
+    }
+    return lines;
+}
+
+LineSettings withoutNotch(LineSettings lines, const Garment& garment, const SeamNotch& notch,
+                          const Symmetry* symmetry) {
+    if (!lines.notches) {
+        return lines;
+    }
+    if (notch.reason == NotchReason::ByHand) {
+        int index = indexOf(*lines.notches, garment, notch);
+        index = index < 0 ? mirroredIndexOf(*lines.notches, garment, notch, symmetry) : index;
+        if (index >= 0) {
+            lines.notches->notches.erase(lines.notches->notches.begin() + index);
+            return lines;
+        }
+    }
+    if (auto said = notchSettingsAt(garment, notch.seam, notch.share)) {
+        said->isThere = false;
+        lines.notches->notches.push_back(*said);
+    }
+    return lines;
+}
+
+LineSettings withNotchMoved(LineSettings lines, const Garment& garment, const SeamNotch& notch,
+                            double share, const Symmetry* symmetry) {
+    return withNotch(withoutNotch(std::move(lines), garment, notch, symmetry), garment,
+                     {notch.seam, share});
 }
 
 }  // namespace toile::app

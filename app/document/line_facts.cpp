@@ -13,7 +13,7 @@ namespace toile::app {
 
 namespace {
 
-/// Places on an outline nearer to each other than this are one, mm.
+/// Places on an outline closer than this count as one, mm.
 constexpr double kSamePlace = 1e-3;
 
 const PieceResult* shownOf(const Garment& garment, const PieceResults& results, std::size_t piece) {
@@ -63,7 +63,7 @@ double perimeterOf(const OutlineSegments& segments) {
     return perimeter;
 }
 
-/// The segment that has most of a stretch of outline.
+/// The segment that covers most of a stretch of outline.
 std::optional<SegmentAt> mostOf(const LineFacts& facts, int piece, double from, double to) {
     if (piece < 0 || piece >= static_cast<int>(facts.segments.size())) {
         return std::nullopt;

@@ -13,20 +13,20 @@ namespace toile::app {
 
 class Document;
 
-/// Where the labels and grain lines of the document's pieces go, as a file has them (`placeMarks`).
-/// Keeps what it has found for as long as pattern, turn, grain and words are the same: to look for
-/// room costs some hundred passes over the outline.
+/// Where the labels and grain lines of the document's pieces are drawn, as in files (`placeMarks`).
+/// Results are kept while pattern, rotation, grain and text are the same, because each search takes
+/// some hundred passes over the outline.
 class MarkPlaces {
 public:
-    /// About the piece's offset on the sheet; the grain line is there whether anybody has stated
-    /// the grain or not. Valid until the next call.
+    /// Relative to the piece's offset on the sheet; with a grain line even if no grain is stated.
+    /// Valid until the next call.
     const PieceMarks& of(const Document& document, int piece, const DrawingWords& words);
-    /// Where a grain line has most room on a piece if nothing else is drawn there, about its
-    /// offset; none where the piece is not flat or there is no room.
+    /// The place with most room for a grain line if nothing else is drawn, relative to the piece's
+    /// offset; none if the piece is not flat or there is no room.
     std::optional<Chord> clearGrain(const Document& document, int piece);
 
 private:
-    /// What all of them follow from.
+    /// The inputs of all places.
     struct Lie {
         std::weak_ptr<const Pattern> pattern;
         double turn = 0, grain = 0;

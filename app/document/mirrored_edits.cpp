@@ -16,7 +16,7 @@ bool holds(const Values& values, const Value& value) {
     return std::ranges::find(values, value) != values.end();
 }
 
-/// Another piece; -1 where there is none.
+/// Another piece; -1 if there is none.
 int counterpartOf(const Symmetry& symmetry, int piece) {
     const auto at = static_cast<std::size_t>(piece);
     const std::vector<int>& counterpart = symmetry.pieces.counterpart;

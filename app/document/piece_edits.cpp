@@ -7,7 +7,6 @@
 
 #include "app/base/text.h"
 #include "app/document/document.h"
-#include "app/document/names.h"
 #include "core/pattern/piece_marks.h"
 #include "core/project/layer_materials.h"
 #include "core/project/piece_names.h"
@@ -45,10 +44,9 @@ void renamePiece(Document& document, int piece, const QString& name) {
     if (inGarment(document, {piece}).empty()) {
         return;
     }
-    DocumentState next = document.state();
-    next.labels = withName(std::move(next.labels), *document.garment(), piece,
-                           name.simplified().toStdString());
-    document.edit(tr("Rename %1").arg(pieceName(document, piece)), std::move(next));
+    document.edit(tr("Rename %1").arg(pieceName(document, piece)), &DocumentState::labels,
+                  withName(document.state().labels, *document.garment(), piece,
+                           name.simplified().toStdString()));
 }
 
 void setQuantity(Document& document, const std::vector<int>& pieces, int quantity) {

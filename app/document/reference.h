@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -10,16 +11,16 @@ namespace toile::app {
 
 struct ReferenceLines;
 
-/// The pattern of somebody else, or of ours, that the pieces are compared with.
+/// The reference pattern: a file that the pieces are compared with.
 struct ReferenceFile {
     std::filesystem::path path{};  ///< absolute; empty: there is none
-    /// As it was read; null where it could not be. Never null without a path.
+    /// Null if it could not be read, and without a path.
     std::shared_ptr<const PatternFile> file{};
 
     bool operator==(const ReferenceFile&) const = default;
 };
 
-/// How that lies on a pattern: which pieces are which, and where. Immutable.
+/// How the reference pattern lies on a pattern: which pieces are which, and where. Immutable.
 struct ReferenceMatch {
     std::shared_ptr<const Pattern> pattern{};   ///< not null
     std::shared_ptr<const PatternFile> file{};  ///< not null
@@ -27,9 +28,15 @@ struct ReferenceMatch {
     std::shared_ptr<const ReferenceLines> lines{};  ///< of the sure pairs; not null
 };
 
-/// Whether there is no doubt which piece of the file is meant, and its line is laid on ours.
-bool isSure(const PieceMatch& pair);
-/// The pair that the piece is in, sure or not; null where it is in none. Logarithmic.
-const PieceMatch* pairOf(const PatternMatch& match, int piece);
+/// True if only one piece of the file fits, and its line is laid on ours.
+inline bool isSure(const PieceMatch& pair) {
+    return pair.rivals.empty() && !pair.lines.empty() && pair.lines.front().fit.laid.rows() > 0;
+}
+
+/// The pair that the piece is in, sure or not; null if it is in none. Logarithmic.
+inline const PieceMatch* pairOf(const PatternMatch& match, int piece) {
+    const auto found = std::ranges::lower_bound(match.pairs, piece, {}, &PieceMatch::piece);
+    return found == match.pairs.end() || found->piece != piece ? nullptr : &*found;
+}
 
 }  // namespace toile::app

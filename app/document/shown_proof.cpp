@@ -7,7 +7,7 @@ namespace toile::app {
 
 namespace {
 
-/// What of the lines cloth depends on: seam lines, and openings in them.
+/// The lines that cloth depends on: seam lines, and openings in them.
 LineSettings linesOfCloth(LineSettings lines) {
     lines.allowance.reset();
     lines.notches.reset();

@@ -14,17 +14,17 @@ namespace toile::app {
 
 struct SewnCloth;
 
-/// How the state's pattern is to be proved: as has been said, but for a reference pattern that is
-/// not open, in whose place its own is sewn.
+/// How the state's pattern is proved: as the settings ask, but its own pattern is sewn if the
+/// reference pattern is not open.
 ProofPlan proofPlanOf(const DocumentState& state);
 
-/// All of a document that a proof depends on. Places on the sheet, names, and what is drawn beside
-/// the seam line (allowances, notches, lines inside, texts) do not matter to it. Flat pieces are
-/// the same where their points are, so that a proof of settled ones is of the pattern once they
-/// have taken the place of warm ones. Compares what else is large by pointer.
+/// Everything of a document that a proof depends on: not places on the sheet, names, nor what is
+/// drawn beside the seam line (allowances, notches, internal lines, texts). Flat pieces are
+/// compared by their points, so that a proof of settled ones stays valid when they replace warm
+/// ones. Other large parts are compared by pointer.
 struct ProofGround {
     struct Cloth {
-        std::uint64_t flat = 0;  ///< `PieceResult::fingerprint`; 0: it is not flat
+        std::uint64_t flat = 0;  ///< `PieceResult::fingerprint`; 0: not flat
         double grain = 0;        ///< radians
         std::string material{};
         bool leftOut = false;
@@ -35,28 +35,28 @@ struct ProofGround {
     std::shared_ptr<const Garment> garment{};
     FlattenOptions options{};
     LoadOptions loading{};  ///< for the ease
-    LineSettings lines{};   ///< without what does not matter
+    LineSettings lines{};   ///< only what cloth depends on
     Fabric fabric{};
     MaterialList materials{};
     std::vector<Cloth> pieces{};
-    std::shared_ptr<const PatternFile> reference{};  ///< where that is what is sewn
+    std::shared_ptr<const PatternFile> reference{};  ///< if that is sewn
 
     bool operator==(const ProofGround&) const = default;
 };
 
-/// @param settings  one per piece of the garment shown
+/// @param settings  one per piece of the shown garment
 ProofGround proofGround(const Derived& derived, const DocumentState& state,
                         const std::vector<PieceSettings>& settings, SewnPattern sewn);
 
 /// The same ground with these flat pieces. @param results  one per piece; may be null
 ProofGround withFlat(ProofGround ground, const PieceResults& results);
 
-/// A pattern sewn back together, or on its way there, as it is shown. Immutable.
+/// A pattern sewn back together, or being sewn, as it is shown. Immutable.
 struct ShownProof {
     ProofGround ground{};
-    ProofPlan plan{};                      ///< by which it was sewn
-    std::shared_ptr<const Proof> proof{};  ///< null: the cloth is still on its way
-    /// Where the cloth lies; of `ground`'s garment. May be null.
+    ProofPlan plan{};                      ///< settings that it was sewn with
+    std::shared_ptr<const Proof> proof{};  ///< null: still being sewn
+    /// The cloth, of the garment of `ground`. May be null.
     std::shared_ptr<const SewnCloth> cloth{};
 };
 

@@ -17,15 +17,15 @@ struct MirroredPieces {
         Kept,          ///< each as in the file: a seam differs too much from its mirror image
         OtherOutline,  ///< each as it is: the segments of the outlines do not correspond in order
         NotFlat,
-        NotDrawn,  ///< it was to be, and could not
+        NotDrawn,  ///< it should be equal, and could not
     };
 
     int piece = -1;
-    int counterpart = -1;  ///< itself where it is symmetric in itself; -1: there is none
+    int counterpart = -1;  ///< itself if symmetric in itself; -1: none
     double deviation = 0;  ///< MirrorPieces::deviation, mm
     Drawing drawing = Drawing::OtherOutline;
-    std::optional<UnequalPieces> unequal{};  ///< where a seam differs too much
-    int lead = -1;                           ///< where drawn equal: the one whose line is mirrored
+    std::optional<UnequalPieces> unequal{};  ///< if a seam differs too much
+    int lead = -1;                           ///< if drawn equal: the piece whose line is mirrored
 
     bool isPair() const { return counterpart >= 0 && counterpart != piece; }
     std::vector<int> pieces() const {
@@ -33,14 +33,14 @@ struct MirroredPieces {
     }
 };
 
-/// What there is to know of a garment as its own mirror image.
+/// Facts about the symmetry of a garment.
 struct SymmetryFacts {
     /// Every piece once: pairs, then those that are symmetric in themselves, then the others.
     std::vector<MirroredPieces> rows;
     std::vector<int> seams;              ///< seams and free edges without a counterpart
     double lengthChange = 0;             ///< largest, of a seam to its common length, mm
     double exactStrain = 0, strain = 0;  ///< largest of an edge, before and after drawing
-    int equal = 0, pairs = 0;            ///< rows that are drawn equal, of those with a counterpart
+    int equal = 0, pairs = 0;            ///< rows drawn equal, of those with a counterpart
 };
 
 /// Cost: linear. Pure.

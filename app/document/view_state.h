@@ -9,27 +9,27 @@
 
 namespace toile::app {
 
-/// What is painted on the cloth, in both views alike. The shaders know them by number: see
+/// The overlay on the cloth, in both views. The shaders know the overlays by number: see
 /// resources/shaders/surface.glsl.
 enum class Overlay {
     None,        ///< the piece's colour alone
     Checker,     ///< true-scale squares
     Area,        ///< A3D / A2D - 1
     Angle,       ///< largest change of a corner angle
-    Strain,      ///< L3D / L2D - 1 of the edges: what the cloth must do
+    Strain,      ///< L3D / L2D - 1 of the edges
     Warp,        ///< strain along the grain
     Weft,        ///< strain across it
     Bias,        ///< strain at 45 degrees to it, the worse of both diagonals
-    Principal,   ///< largest and least strain and their directions, as glyphs
+    Principal,   ///< largest and smallest strain and their directions, as glyphs
     Dirichlet,   ///< symmetric Dirichlet energy, above that of cloth that keeps its shape
-    Normal,      ///< where the worn cloth faces, as a colour ([Wan05], figures)
-    Gap,         ///< how far outside of the design the pattern lies, sewn back together, mm
-    WornStrain,  ///< strain of the cloth that is sewn so, the larger of both principal ones
+    Normal,      ///< normal of the 3D cloth, as a colour ([Wan05], figures)
+    Gap,         ///< distance of the sewn pattern outside the design, mm
+    WornStrain,  ///< largest principal strain of the sewn cloth
 };
 
 inline constexpr int kOverlayCount = 13;
 
-/// What the overlays are called on the command line and in project files. Once released they stay.
+/// Names of the overlays on the command line and in project files. Released names stay.
 inline constexpr Word<Overlay> kOverlayWords[] = {
     {Overlay::None, "none"},
     {Overlay::Checker, "checker"},
@@ -47,22 +47,22 @@ inline constexpr Word<Overlay> kOverlayWords[] = {
 };
 static_assert(std::size(kOverlayWords) == kOverlayCount, "each overlay needs a word");
 
-/// True where the overlay shows a number and so needs a colour bar.
+/// True if the overlay shows a number and so needs a colour bar.
 constexpr bool isMeasured(Overlay overlay) {
     return overlay != Overlay::None && overlay != Overlay::Checker && overlay != Overlay::Normal;
 }
 
-/// True where the number is of the pattern sewn back together: there is none before it is proved.
+/// True if the number comes from a proof: there is none before.
 constexpr bool isOfProof(Overlay overlay) {
     return overlay == Overlay::Gap || overlay == Overlay::WornStrain;
 }
 
-/// True where the number depends on how the grain runs.
+/// True if the number depends on the grain.
 constexpr bool followsGrain(Overlay overlay) {
     return overlay == Overlay::Warp || overlay == Overlay::Weft || overlay == Overlay::Bias;
 }
 
-/// True where the number is of either sign, with 0 in the middle of the colours.
+/// True if the number has a sign, with 0 in the middle of the colours.
 constexpr bool isSigned(Overlay overlay) {
     return overlay != Overlay::Angle && overlay != Overlay::Dirichlet;
 }
@@ -80,11 +80,11 @@ enum class Panel {
     Fabric
 };
 
-/// Of the two views: in pictures of them.
+/// Which views a picture shows.
 enum class ViewsShown { Garment, Pattern, Both };
 
-/// From where the garment is looked at, radians: yaw around the upright axis from the front, to the
-/// garment's right side as it is seen (+x), pitch upwards.
+/// Direction from which the garment is seen, radians: yaw around the upright axis from the front to
+/// its right side (+x), pitch upwards.
 struct ViewDirection {
     double yaw = 0, pitch = 0;
 
@@ -99,12 +99,12 @@ inline constexpr ViewDirection kLeftView{-std::numbers::pi / 2, 0};
 inline constexpr ViewDirection kTopView{0, std::numbers::pi / 2};
 inline constexpr ViewDirection kBottomView{0, -std::numbers::pi / 2};
 
-/// How the garment is shown; not part of what is saved with a garment.
+/// How the garment is shown; no part of the state.
 struct ViewState {
     Overlay overlay = Overlay::Checker;
     bool wireframe = false;
     bool referencePanels = false;    ///< the reference panels over the pattern
-    bool exactOutline = false;       ///< the outline as it was solved, where another is drawn
+    bool exactOutline = false;       ///< the solved outline, if another is drawn
     bool valuesPerTriangle = false;  ///< a measured overlay is not smoothed over the vertices
     bool worstSpots = true;          ///< the worst places of a measured overlay carry a number
     bool seams = true;               ///< seam lines, each pair in its colour
@@ -113,20 +113,20 @@ struct ViewState {
     bool internalLines = true;       ///< in the pattern with the marks of darts
     bool grain = true;               ///< arrows of the grain, in the pattern
     bool labels = true;              ///< names of the pieces, in the pattern
-    bool xray = false;               ///< the garment's cloth lets what is behind it be seen
-    bool shaded = true;              ///< light falls on the garment
-    bool pieceColours = true;        ///< else all cloth is of one plain colour
+    bool xray = false;               ///< the garment's cloth is translucent
+    bool shaded = true;              ///< the garment is lit
+    bool pieceColours = true;        ///< else all cloth has one colour
     bool rulers = true;              ///< along the edges of the pattern view
     bool grid = true;                ///< on the sheet
-    bool snapping = true;            ///< whether pieces catch at the grid and at each other
-    /// See mirrored_edits.h; none: as long as the mesh is symmetric.
+    bool snapping = true;            ///< pieces snap to the grid and to each other
+    /// See mirrored_edits.h; none: if the mesh is symmetric.
     std::optional<bool> mirrorsEdits{};
 
     bool operator==(const ViewState&) const = default;
 };
 
-/// How a garment that is opened after another one is shown: as the first one was, but for the aids
-/// of the sheet, which are the user's.
+/// The view of a garment opened after another one: default, but for the aids of the sheet, which
+/// the user has chosen.
 inline ViewState viewOfNext(const ViewState& before) {
     ViewState view;
     view.rulers = before.rulers;
@@ -135,7 +135,7 @@ inline ViewState viewOfNext(const ViewState& before) {
     return view;
 }
 
-/// Something of the garment that a pointer can be on and that can be highlighted in both views.
+/// A part of the garment that can be under the pointer and highlighted in both views.
 struct Feature {
     enum class Kind {
         Piece,   ///< `piece`
@@ -148,7 +148,7 @@ struct Feature {
     int piece = -1;
     int seam = -1;    ///< index into Garment::seams
     int first = -1;   ///< an edge of the outline: from Piece::boundary[first] to the next
-    int count = 0;    ///< counts on past the outline's beginning
+    int count = 0;    ///< may count past the end of the outline
     int vertex = -1;  ///< of the piece's mesh
     int face = -1;    ///< one of the triangles around the vertex
 

@@ -6,11 +6,13 @@
 #include <utility>
 
 #include "app/document/disposal.h"
+#include "app/document/document.h"
 #include "app/render/scene_builder.h"
 #include "app/text/error_text.h"
 #include "core/pattern/piece_grain.h"
 #include "core/pattern/target_lengths.h"
 #include "core/project/layer_materials.h"
+#include "core/project/piece_names.h"
 #include "core/project/piece_settings.h"
 #include "core/project/place_pieces.h"
 #include "core/toile/garment_flattener.h"
@@ -18,10 +20,11 @@
 namespace toile::app {
 namespace {
 
-/// Of the time to read a garment, about, until it is read, and until it is there.
+/// Approximate shares of the time to read a garment: until its files are read, and until it is
+/// made.
 constexpr double kReadingShare = 0.4, kDrawingShare = 0.97;
 
-/// The results of those pieces of a garment that were in another; null for the others.
+/// The results of the pieces that two garments share; null for the others.
 PieceResults carriedResults(const PieceResults& results, const Garment& after) {
     std::unordered_map<const Piece*, std::shared_ptr<const PieceResult>> known;
     for (const auto& result : results) {
@@ -42,7 +45,14 @@ std::size_t bytesOf(const FlatPiece& flat) {
     return (static_cast<std::size_t>(flat.Q.size()) + line) * sizeof(double);
 }
 
-/// One per piece.
+/// Replaces the results.
+void become(Derivation& made, PieceResults results) {
+    made.motions = flatMotions(made.derived.results, results);
+    made.derived.results = std::move(results);
+}
+
+}  // namespace
+
 std::vector<PieceSettings> settingsOf(const Garment& garment, const SettingsById& settings) {
     std::vector<PieceSettings> found;
     for (const auto& piece : garment.pieces) {
@@ -51,14 +61,6 @@ std::vector<PieceSettings> settingsOf(const Garment& garment, const SettingsById
     }
     return found;
 }
-
-/// Takes other results in.
-void become(Derivation& made, PieceResults results) {
-    made.motions = flatMotions(made.derived.results, results);
-    made.derived.results = std::move(results);
-}
-
-}  // namespace
 
 Result<Derivation> deriveGarment(const DocumentState& state, const Derived& before,
                                  const std::vector<PieceSettings>& settingsBefore,
@@ -78,7 +80,7 @@ Result<Derivation> deriveGarment(const DocumentState& state, const Derived& befo
         for (std::size_t p = 0; p < is.size(); ++p) {
             const int from = derivation.carried[p].piece;
             if (is[p] == (from < 0 ? Wording() : was[static_cast<std::size_t>(from)])) {
-                derivation.materials.emplace_back();  // the word may be of another language
+                derivation.materials.emplace_back();  // the name may be in another language
             } else {
                 derivation.materials.emplace_back(wordingText(is[p]).toStdString());
             }
@@ -87,11 +89,11 @@ Result<Derivation> deriveGarment(const DocumentState& state, const Derived& befo
     Derived& derived = derivation.derived;
     derived.inputs = {state.inputs.files, resolveNames(state.inputs.loading, *garment)};
     derived.garment = garment;
-    if (!before.results.empty()) {  // else nothing is flat yet, and all is to be
+    if (!before.results.empty()) {  // otherwise nothing is flat yet
         derived.results = carriedResults(before.results, *garment);
         derived.lines = before.lines;
         if (!(state.lines == LineSettings{}) || drawsEase(*garment) || drawsEase(*before.garment)) {
-            derived.lines.reset();  // segments and targets may be others
+            derived.lines.reset();  // segments and targets may differ
         }
     }
     return derivation;
@@ -128,7 +130,7 @@ void flatten(Derivation& made, const DocumentState& state, GarmentFlattener& fla
     const std::vector<PieceSettings> settings = settingsOf(garment, state.settings);
     const PieceResults before = made.derived.results;
     std::vector<Fabric> fabrics;
-    PieceResults known(garment.pieces.size());  // to whose flat points a typed grain refers
+    PieceResults known(garment.pieces.size());  // a typed grain refers to their flat points
     std::vector<std::optional<double>> typed;
     for (std::size_t p = 0; p < settings.size(); ++p) {
         fabrics.push_back(fabricOf(settings[p].material, state.materials, state.fabric));
@@ -158,7 +160,7 @@ void leaveOut(Derivation& made, const std::vector<PieceSettings>& settings) {
 
 void settle(Derivation& made, GarmentFlattener& flattener, Progress& progress) {
     if (!made.derived.lines) {
-        return;  // of older lines: what is shown is as it was asked for then
+        return;  // of older lines: leave it as it was asked for then
     }
     become(made, flattener.settle(*made.derived.garment, made.derived.results, progress, 0,
                                   *made.derived.lines));
@@ -219,6 +221,51 @@ SettingsById settingsAfter(const Derivation& made, const DocumentState& state,
         settings[garment.pieces[i]->id] = std::move(placed[i]);
     }
     return settings;
+}
+
+PatternNow::PatternNow(const Document& document, std::set<int> only, double settlingShare)
+    : only_(std::move(only)),
+      settlingShare_(settlingShare),
+      derived_(document.derived()),
+      state_(document.state()),
+      words_(drawingWords()) {
+    state_.markers = {};
+    state_.proof = {};
+    for (std::size_t i = 0; i < document.settings().size(); ++i) {
+        // The state may already be without a piece that is still shown.
+        state_.settings.try_emplace(document.garment()->pieces[i]->id, document.settings()[i]);
+    }
+}
+
+FinishedPattern PatternNow::finished(Progress& progress) const {
+    Derivation derivation{derived_};
+    progress.setShare(0, settlingShare_);
+    GarmentFlattener flattener;
+    settle(derivation, flattener, progress);
+    if (progress.isCancelled()) {
+        return {};
+    }
+    progress.setShare(settlingShare_, 1);
+    SettingsById settings = settingsAfter(derivation, state_, {});
+    std::vector<PieceSettings> ofPieces;
+    for (const auto& piece : derived_.garment->pieces) {
+        ofPieces.push_back(settings[piece->id]);
+    }
+    for (std::size_t i = 0; i < ofPieces.size(); ++i) {
+        // A piece that has just been included again is not flat yet, and so not shown.
+        const bool isShown = !isLeftOut(*derivation.derived.results[i]) &&
+                             (only_.empty() || only_.contains(static_cast<int>(i)));
+        ofPieces[i].leftOut = ofPieces[i].leftOut || !isShown;
+    }
+    Garment garment = named(*derived_.garment, state_.labels);
+    PieceResults results =
+        withoutLeftOut(resultsFor(garment, derivation.derived.results), garment, ofPieces);
+    return makePattern(std::move(garment), std::move(results),
+                       {.lines = derivation.derived.lines.value_or(LineSettings{}),
+                        .fabric = state_.fabric,
+                        .materials = state_.materials,
+                        .pieces = std::move(ofPieces)},
+                       derivation.derived.symmetry);
 }
 
 }  // namespace toile::app

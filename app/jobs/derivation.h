@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -14,6 +16,7 @@
 #include "core/base/result.h"
 #include "core/project/piece_settings.h"
 #include "core/project/place_pieces.h"
+#include "core/toile/toile.h"
 
 namespace toile {
 class GarmentFlattener;
@@ -21,47 +24,87 @@ class GarmentFlattener;
 
 namespace toile::app {
 
-/// What follows from a state, and how settings of its pieces are carried over. Nothing
-/// here touches the document: any thread may work on a derivation of its own.
+class Document;
+
+/// The results for a state, and how settings of its pieces carry over. Nothing here touches the
+/// document: each thread may work on a derivation of its own.
 struct Derivation {
     Derived derived;
     bool hasOtherGarment = false;
-    std::vector<CarriedFrom> carried{};                ///< of another garment
-    std::vector<std::optional<FlatMotion>> motions{};  ///< of other results
+    std::vector<CarriedFrom> carried{};                ///< for another garment
+    std::vector<std::optional<FlatMotion>> motions{};  ///< for other results
     std::vector<std::optional<double>> grains{};       ///< by LineSettings::grain; else empty
-    /// Of another garment, per piece: its usual material, if that has changed.
+    /// For another garment, per piece: its usual material, if that has changed.
     std::vector<std::optional<std::string>> materials{};
 };
 
-/// The garment of the state, without a scene; flat is what was so before. Errors: of `makeGarment`.
-/// @param before    what was derived last, and the settings of its pieces
+/// One per piece of the garment.
+std::vector<PieceSettings> settingsOf(const Garment& garment, const SettingsById& settings);
+
+/// The garment of the state, without a scene, with the flat pieces that were known. Errors: of
+/// `makeGarment`.
+/// @param before    the last results, with the settings of their pieces
 Result<Derivation> deriveGarment(const DocumentState& state, const Derived& before,
                                  const std::vector<PieceSettings>& settingsBefore,
                                  Progress& progress);
 /// Reads files and makes their garment, with its scene. Errors: of `readFiles` and `makeGarment`.
-/// @param faces  gets how many the files have as soon as they are read; may be null
+/// @param faces  receives the number of faces when the files are read; may be null
 Result<Derived> readGarment(const std::vector<std::filesystem::path>& paths,
                             const LoadOptions& loading, Progress& progress,
                             std::atomic<int>* faces = nullptr);
-/// Makes all of it flat, as the state asks. @param onPiece  called for each piece (OnPiece)
+/// Flattens all pieces as the state asks. @param onPiece  called for each piece (OnPiece)
 void flatten(Derivation& made, const DocumentState& state, GarmentFlattener& flattener,
              Progress& progress,
              const std::function<void(int done, int count, const Piece& begun)>& onPiece = {});
-/// Takes out of the pattern what the settings leave out, and nothing else: nothing is flattened.
+/// Removes from the pattern what the settings leave out; flattens nothing.
 /// @param settings  one per piece
 void leaveOut(Derivation& made, const std::vector<PieceSettings>& settings);
-/// Puts cold results in the place of warm ones.
+/// Replaces warm results by cold ones.
 void settle(Derivation& made, GarmentFlattener& flattener, Progress& progress);
 /// Settings of the pieces of a new garment, in the user's language.
 SettingsById settingsOfNew(const Garment& garment);
-/// What the state says of the pieces, after a derivation: pieces stay where they are on the sheet,
-/// and those without a place, or without a grain where there is a rule for it, get one; where none
-/// has a place yet, they lie in rows, none wider than a cloth of the pieces in it. What a piece is
-/// cut from follows its layer, unless the user has set it. Idempotent.
-/// @param before  settings of the pieces before, in their order
+/// Settings of the pieces after a derivation: pieces keep their places on the sheet, and those
+/// without a place, or without a grain if there is a rule for it, get one. If none has a place yet,
+/// they lie in rows, none wider than a cloth of its pieces. The material of a piece follows its
+/// layer, unless the user has set it. Idempotent.
+/// @param before  earlier settings of the pieces, in their order
 SettingsById settingsAfter(const Derivation& made, const DocumentState& state,
                            const std::vector<PieceSettings>& before);
-/// Makes its pattern and its scene; what the scene there is has of the same results is kept.
+/// Makes pattern and scene; reuses the parts of the present scene that show the same results.
 void draw(Derived& derived, Progress& progress);
+
+/// A snapshot of the pattern for files.
+class PatternNow {
+public:
+    /// @param only  the pieces to use; none: all
+    /// @param settlingShare  share of the total time for flattening, if flat pieces are still warm
+    PatternNow(const Document& document, std::set<int> only, double settlingShare = 0.7);
+
+    /// Flattens the remaining pieces, lays the pattern out and passes it to `use`, a function of
+    /// `(const ExportSource&, const Progress&)` to a Result.
+    template <class Use>
+    auto with(const ExportOptions& options, Progress& progress, const Use& use) const
+        -> std::invoke_result_t<Use, const ExportSource&, const Progress&> {
+        const FinishedPattern made = finished(progress);
+        if (progress.isCancelled()) {
+            return Error{ErrorCode::Cancelled};
+        }
+        return use(made.source(options, words_), progress);
+    }
+
+    /// True if files of both are the same, apart from the language.
+    bool operator==(const PatternNow& other) const {
+        return only_ == other.only_ && derived_ == other.derived_ && state_ == other.state_;
+    }
+
+private:
+    FinishedPattern finished(Progress& progress) const;
+
+    std::set<int> only_;
+    double settlingShare_;
+    Derived derived_;
+    DocumentState state_;  ///< the parts that pieces and their drawing follow from
+    DrawingWords words_;
+};
 
 }  // namespace toile::app

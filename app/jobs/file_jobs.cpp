@@ -7,9 +7,7 @@
 
 #include "app/base/text.h"
 #include "app/document/document.h"
-#include "app/document/project_state.h"
 #include "app/jobs/derivation.h"
-#include "app/jobs/pattern_now.h"
 #include "app/jobs/reference_finder.h"
 #include "core/base/file.h"
 #include "core/base/id.h"
@@ -17,9 +15,76 @@
 #include "core/project/project_file.h"
 
 namespace toile::app {
+
+Project projectOf(const DocumentState& state, const Derived& derived, const ViewState& view) {
+    const Garment& garment = *derived.garment;
+    Project project;
+    project.files = meshReferences(garment);
+    project.loading = state.inputs.loading;
+    project.loading.known = knownPieces(garment);
+    project.options = state.options;
+    project.lines = state.lines;
+    project.fabric = state.fabric;
+    project.materials = state.materials;
+    project.pieces = projectPieces(garment, settingsOf(garment, state.settings), derived.results);
+    project.labels = state.labels;
+    project.markers = state.markers.all();
+    project.proof = state.proof;
+    if (const auto& path = state.reference.path; !path.empty()) {
+        project.reference = FileReference{.path = path};
+    }
+    project.view = savedView(view);
+    return project;
+}
+
+ProjectView savedView(const ViewState& view) {
+    return {std::string(wordOf(kOverlayWords, view.overlay)),
+            view.wireframe,
+            view.referencePanels,
+            view.exactOutline,
+            view.cuttingLine,
+            view.notches,
+            view.internalLines,
+            view.grain,
+            view.labels};
+}
+
+ViewState viewOf(const ProjectView& saved, ViewState view) {
+    view.overlay = parseWord(kOverlayWords, saved.overlay).value_or(view.overlay);
+    view.wireframe = saved.wireframe;
+    view.referencePanels = saved.referencePanels;
+    view.exactOutline = saved.exactOutline;
+    view.cuttingLine = saved.cuttingLine;
+    view.notches = saved.notches;
+    view.internalLines = saved.internalLines;
+    view.grain = saved.grain;
+    view.labels = saved.labels;
+    return view;
+}
+
+DocumentState stateOf(const Project& project, GarmentInputs inputs, const Garment& garment) {
+    DocumentState state;
+    state.inputs = std::move(inputs);
+    state.options = project.options;
+    state.lines = project.lines;
+    state.fabric = project.fabric;
+    state.materials = project.materials;
+    state.labels = project.labels;
+    state.markers = ClothPlans(project.markers);
+    state.proof = project.proof;
+    if (project.reference) {
+        state.reference.path = project.reference->path;
+    }
+    std::vector<PieceSettings> settings = settingsFor(project, garment);
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+        state.settings.emplace(garment.pieces[i]->id, std::move(settings[i]));
+    }
+    return state;
+}
+
 namespace {
 
-/// True where there is such a file, and it holds something else. Reads it.
+/// True if the file exists with another content. Reads it.
 bool wasChangedByOthers(const KnownFile& known) {
     if (!known.hash) {
         return false;
@@ -28,7 +93,7 @@ bool wasChangedByOthers(const KnownFile& known) {
     return bytes && contentHash(*bytes) != *known.hash;
 }
 
-/// What will be saved to, as it is on the disk now.
+/// The file that will be saved to, as it is on the disk now.
 KnownFile knownOf(const std::filesystem::path& path, std::uint64_t hash, const Project& project) {
     if (!project.recoveryOf) {
         return {path, hash};
@@ -37,10 +102,10 @@ KnownFile knownOf(const std::filesystem::path& path, std::uint64_t hash, const P
     return {*project.recoveryOf, bytes ? std::optional(contentHash(*bytes)) : std::nullopt};
 }
 
-/// Of a file that is looked at before it is written, bytes.
+/// Size of the preview of a file, bytes.
 constexpr std::size_t kMaxOfBeginning = 20000;
 
-/// What is saved of a state, also where its garment is still on its way.
+/// The project of a state, even if its garment is still being made.
 Result<Project> projectNow(DocumentState state, const Derived& derived,
                            const std::vector<PieceSettings>& settings, const ViewState& view,
                            Progress& progress) {
@@ -161,7 +226,7 @@ std::unique_ptr<Job> saveJob(const Document& document, SaveTarget target,
     auto work = [state = document.state(), derived = document.derived(),
                  settings = document.settings(), view = document.view(),
                  target = std::move(target)](Progress& progress) -> Result<SaveOutcome> {
-        // At the last moment: another program may be at it just now.
+        // As late as possible: another program may be writing it.
         KnownFile* known = target.known.get();
         if (known && known->path == target.path && !target.overwrite &&
             wasChangedByOthers(*known)) {

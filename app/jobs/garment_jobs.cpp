@@ -16,15 +16,15 @@ namespace toile::app {
 
 namespace {
 
-/// Of the jobs' times, about, on garments of 10 000 to 100 000 triangles; the rest is laying out
-/// and the scene.
+/// Approximate shares of the time on garments of 10 000 to 100 000 triangles; the rest is layout
+/// and scene.
 constexpr double kGarmentShare = 0.3, kGarmentAloneShare = 0.97, kFlatteningShare = 0.6;
 
 }  // namespace
 
 namespace {
 
-/// Which piece is being flattened: noted by the workers, read by the window.
+/// The piece that is being flattened: set by the workers, read by the window.
 class Underway {
 public:
     explicit Underway(PieceLabels labels) : labels_(std::move(labels)) {}
@@ -35,7 +35,7 @@ public:
         count_ = count;
         name_ = nameOf(labels_, begun);
     }
-    /// Empty where there is one piece only, or none yet.
+    /// Empty if there is only one piece, or none yet.
     QString text() const {
         const std::lock_guard lock(mutex_);
         return count_ < 2 ? QString()
@@ -136,7 +136,7 @@ std::unique_ptr<Job> recomputeJob(const Document& document, const RecomputeOrder
 
 namespace {
 
-/// What each piece is cut from.
+/// The fabric of each piece.
 std::vector<Fabric> fabricsOf(const Document& document) {
     std::vector<Fabric> fabrics;
     fabrics.reserve(static_cast<std::size_t>(document.pieceCount()));

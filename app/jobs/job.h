@@ -13,22 +13,22 @@
 
 namespace toile::app {
 
-/// A slow piece of work. It takes a snapshot when it is made (GUI thread), works on that alone,
-/// and hands its result over at the end. Made, finalized and destroyed on the GUI thread.
+/// A slow piece of work. It takes a snapshot when it is made (GUI thread), works only on that, and
+/// delivers its result at the end. Made, finalized and destroyed on the GUI thread.
 class Job {
 public:
     virtual ~Job() = default;
 
     /// For the status bar, for example "Reading tee.obj".
     virtual QString title() const = 0;
-    /// What more is known of it by now, for example "12,000 faces"; may be empty.
+    /// Details known so far, for example "12,000 faces"; may be empty.
     virtual QString detail() const { return {}; }
-    /// False where the work is short and half of it is worse than all: cancelling passes it by.
+    /// False if the work is short and half of it is worse than none: cancelling has no effect.
     virtual bool isCancellable() const { return true; }
-    /// The work. On a worker: touches no widget and no document. Polls `progress` for cancelling
-    /// and returns Cancelled then. May throw only for bugs and out of memory.
+    /// The work, on a worker thread: it touches no widget and no document, polls `progress` and
+    /// returns Cancelled if cancelled. May throw only for bugs and lack of memory.
     virtual Result<void> process(Progress& progress) = 0;
-    /// Takes the result over. On the GUI thread, only after `process` returned without an error.
+    /// Delivers the result, on the GUI thread, only if `process` returned without an error.
     virtual void finalize() = 0;
 };
 
@@ -71,10 +71,10 @@ private:
     std::optional<std::decay_t<decltype(std::declval<Outcome&>().value())>> made_;
 };
 
-/// @param work  `Result<Made>(Progress&)`: what `process` does; what it holds is the snapshot. Once
-///              cancelled it may return anything
-/// @param done  `void(Made)`: takes over what was made
-/// @param detail  called on the GUI thread while the job is there
+/// @param work  `Result<Made>(Progress&)`: the work, which holds the snapshot. May return anything
+///              once cancelled
+/// @param done  `void(Made)`: receives the result
+/// @param detail  called on the GUI thread while the job exists
 template <class Work, class Done>
 std::unique_ptr<Job> makeJob(QString title, Work work, Done done, bool isCancellable = true,
                              std::function<QString()> detail = {}) {

@@ -29,7 +29,7 @@ JobRunner::~JobRunner() {
 }
 
 bool JobRunner::isUnderWay(Ticket job) const {
-    const Progress* const progress = worker_.progress();  // null: it is just begun
+    const Progress* const progress = worker_.progress();  // null: just begun
     return (current_ && current_->ticket == job && !(progress && progress->isCancelled())) ||
            std::ranges::find(waiting_, job, &Order::ticket) != waiting_.end();
 }
@@ -97,7 +97,7 @@ void JobRunner::cancelAll(bool replaced) {
         waiting.replaced = waiting.replaced || replaced;
         (waiting.job->isCancellable() ? dropped : waiting_).push_back(std::move(waiting));
     }
-    for (const Order& waiting : dropped) {  // the running job says so when it has stopped
+    for (const Order& waiting : dropped) {  // the running job announces it when it has stopped
         emit cancelled(waiting.job->title(), waiting.replaced);
     }
 }

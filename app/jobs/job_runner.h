@@ -13,8 +13,8 @@
 
 namespace toile::app {
 
-/// Runs jobs one after the other on one worker thread. Progress is polled, not posted, so that a
-/// job that reports a million times costs the window nothing. GUI thread only.
+/// Runs jobs one after the other on one worker thread. Progress is polled, so that frequent reports
+/// do not slow the window down. GUI thread only.
 class JobRunner : public QObject {
     Q_OBJECT
 
@@ -23,20 +23,20 @@ public:
     /// Cancels and waits.
     ~JobRunner() override;
 
-    /// Which job; none has 0.
+    /// Identifies a job; never 0.
     using Ticket = std::uint64_t;
 
     bool isBusy() const { return current_.has_value(); }
     bool hasWaiting() const { return !waiting_.empty(); }
-    /// Whether that job runs or waits, and is not cancelled.
+    /// True if the job runs or waits, and is not cancelled.
     bool isUnderWay(Ticket job) const;
-    /// The last that was asked for and is under way; 0: none.
+    /// The job asked for last that is under way; 0: none.
     Ticket lastUnderWay() const;
-    /// Of the running job; empty where none runs.
+    /// Title of the running job; empty if none runs.
     QString title() const;
-    /// What more is known of it; may be empty.
+    /// Details about it; may be empty.
     QString detail() const;
-    /// Of the running job, in [0, 1].
+    /// Progress of the running job, in [0, 1].
     double fraction() const;
     /// Runs the job when all earlier ones are done.
     Ticket start(std::unique_ptr<Job> job);
@@ -44,24 +44,23 @@ public:
     Ticket replace(std::unique_ptr<Job> job);
     /// Cancels the running job and the waiting ones. Returns at once.
     void cancel();
-    /// Cancels that job alone, because what it was to find is not wanted any more; nothing where it
-    /// is over. Returns at once.
+    /// Cancels one job whose result is not wanted any more; nothing if it has ended. Returns at
+    /// once.
     void drop(Ticket job);
-    /// Cancels and waits for the worker: for closing the window. Jobs that cannot be cancelled are
-    /// done, the waiting ones too, here; nothing is finalized any more.
+    /// Cancels and waits for the worker, for closing the window. Jobs that cannot be cancelled are
+    /// completed, waiting ones here; nothing is finalized any more.
     void shutdown();
-    /// The same without cancelling: all jobs are done, here.
+    /// The same without cancelling: all jobs are completed.
     void finish();
 
 signals:
     void started(const QString& title);
     /// About 30 times a second while busy; fraction in [0, 1].
     void progressed(double fraction);
-    /// @param replaced  another job has been asked for in its place, or in that of those around it,
-    ///                  or it was dropped
+    /// @param replaced  another job was asked for instead, or it was dropped
     void failed(const QString& title, const QString& sentence, bool replaced);
     void cancelled(const QString& title, bool replaced);
-    /// The last job is over, whatever came of it.
+    /// The last job has ended, whatever its result.
     void idle();
 
 private:

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/base/text.h"
-#include "app/jobs/pattern_now.h"
+#include "app/jobs/derivation.h"
 #include "app/text/error_text.h"
 #include "core/formats/drawing/marker_drawing.h"
 #include "core/formats/export_file.h"
@@ -30,12 +30,12 @@ MarkerSearch::~MarkerSearch() = default;
 
 void MarkerSearch::begin(MarkerOrder order, std::optional<int> rounds) {
     if (order.pattern != order_.pattern || order.material != order_.material) {
-        best_.reset();  // else it is shown until there is a better one
+        best_.reset();  // otherwise it is shown until there is a better one
     }
     order_ = std::move(order);
     rounds_ = rounds;
     nester_.reset();
-    tray_ = std::make_shared<Tray>();
+    mailbox_ = std::make_shared<Mailbox<ClothMarker>>();
     problem_.reset();
     isWanted_ = true;
     ++begun_;
@@ -50,7 +50,7 @@ void MarkerSearch::goOn() {
     }
     rounds_.reset();
     isWanted_ = true;
-    worker_.cancel();  // one that counts its rounds
+    worker_.cancel();  // it counts its rounds
     start();
     emit changed();
 }
@@ -68,18 +68,18 @@ void MarkerSearch::clear() {
     nester_.reset();
     best_.reset();
     problem_.reset();
-    tray_ = std::make_shared<Tray>();
+    mailbox_ = std::make_shared<Mailbox<ClothMarker>>();
     emit changed();
 }
 
 void MarkerSearch::start() {
     if (!isWanted_ || worker_.isBusy()) {
-        return;  // that is cancelled, and this follows
+        return;  // it is cancelled, and this follows
     }
     working_ = begun_;
     poll_.start();
     worker_.start(
-        [order = order_, nester = std::exchange(nester_, nullptr), tray = tray_,
+        [order = order_, nester = std::exchange(nester_, nullptr), mailbox = mailbox_,
          rounds = rounds_](Progress& progress) mutable -> Outcome {
             if (!nester) {
                 auto made = MarkerNester::make(order.pattern, order.material, order.fabric,
@@ -90,9 +90,7 @@ void MarkerSearch::start() {
                 nester = std::make_shared<MarkerNester>(std::move(*made));
             }
             const auto show = [&] {
-                auto found = std::make_shared<const ClothMarker>(nester->best());
-                const std::lock_guard lock(tray->mutex);
-                tray->found = std::move(found);
+                mailbox->put(std::make_shared<const ClothMarker>(nester->best()));
             };
             show();
             for (int k = 0;
@@ -109,17 +107,16 @@ void MarkerSearch::start() {
 }
 
 void MarkerSearch::fetch() {
-    const std::lock_guard lock(tray_->mutex);
-    if (tray_->found && tray_->found != best_) {
-        best_ = tray_->found;
-        bestOf_ = begun_;  // each order has a tray of its own
+    if (auto found = mailbox_->take()) {
+        best_ = std::move(found);
+        bestOf_ = begun_;  // each order has its own mailbox
         emit changed();
     }
 }
 
 void MarkerSearch::onDone(const Attempt<Outcome>& made, bool isCancelled) {
     poll_.stop();
-    if (working_ != begun_) {  // it is of what is not wanted any more
+    if (working_ != begun_) {  // it belongs to an earlier order
         start();
         return;
     }
@@ -129,7 +126,7 @@ void MarkerSearch::onDone(const Attempt<Outcome>& made, bool isCancelled) {
         emit failed(faultText(made.fault));
     } else if (made.answer->nester) {
         nester_ = made.answer->nester;
-        isWanted_ = isWanted_ && isCancelled;  // it was stopped to go on otherwise
+        isWanted_ = isWanted_ && isCancelled;  // stopped only to continue in another way
         start();
     } else if (!isCancelled) {
         isWanted_ = false;

@@ -11,7 +11,7 @@
 
 namespace toile::app {
 
-/// Made by the first search that asks for it, and looked at by those that follow.
+/// Made by the first search that needs it, and read by those that follow.
 struct PathFinder::Surface {
     std::shared_ptr<const Piece> piece;
     std::optional<SurfaceLinks> links{};
@@ -72,8 +72,8 @@ void PathFinder::take(const Order& order, const std::shared_ptr<Surface>& surfac
     current_ = 0;
     startNext();
     if (isWanted) {
-        // Out of memory, or a fault: the preview stays straight, and the cut itself will tell.
-        order.done(made.answer ? *made.answer : cutError({}, "no path was found"));
+        // The preview stays straight; the cut itself reports the error.
+        order.done(made.answer ? *made.answer : cutError({}, "the way was not found"));
     }
 }
 

@@ -13,17 +13,17 @@
 
 namespace toile::app {
 
-/// A path over a piece that somebody wants to know.
+/// A request for a path over a piece.
 struct PathRequest {
     std::shared_ptr<const Piece> piece;
     SurfacePoint from, to;  ///< on the piece's mesh
     bool alongEdges = false;
 };
 
-/// Finds short ways over the cloth, one after the other on a thread of its own, so that a preview
-/// never holds the window up however fine the mesh. Ways are found as the cuts are (`pathOfCut`),
-/// and a search that is not wanted any more ends at once. What the search needs of a piece is made
-/// with the first way and kept while ways on the same piece follow. GUI thread only.
+/// Finds short paths over the cloth, one after the other on a thread of its own, so that previews
+/// do not block the window, however fine the mesh. Paths are found in the same way as cuts
+/// (`pathOfCut`), and an unwanted search ends at once. The search structure of a piece is made with
+/// its first path and kept while paths on the same piece follow. GUI thread only.
 class PathFinder : public QObject {
     Q_OBJECT
 
@@ -36,10 +36,10 @@ public:
 
     /// @param done  called on the GUI thread, later, unless the ticket is cancelled before
     Ticket find(PathRequest request, Done done);
-    /// The way is not wanted any more: `done` is not called. Unknown tickets are passed by.
+    /// Drops a search: `done` is not called. Ignores unknown tickets.
     void cancel(Ticket ticket);
-    /// Lets go of what is kept of the piece last asked about, at the latest when the search that
-    /// runs is over.
+    /// Frees the search structure of the last piece, at the latest when the running search has
+    /// ended.
     void evictPiece();
 
 private:
@@ -57,7 +57,7 @@ private:
     std::deque<Order> waiting_;
     std::shared_ptr<Surface> surface_;  ///< of the piece last asked about
     Ticket last_ = 0;
-    Ticket current_ = 0;  ///< of the search that runs; 0 where it is not wanted any more
+    Ticket current_ = 0;  ///< of the running search; 0 if it is not wanted any more
     bool keepsSurface_ = true;
     Worker<Result<PathPolyline>> worker_;
 };

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/document/document.h"
-#include "app/jobs/pattern_now.h"
+#include "app/jobs/derivation.h"
 #include "app/render/sewn_cloth.h"
 #include "core/prove/body_file.h"
 
@@ -13,13 +13,13 @@ namespace toile::app {
 
 namespace {
 
-/// Flattening is little of the whole, even where it is still to be done.
+/// Flattening takes a small part of the time, even if all of it is still to be done.
 constexpr double kFlatShare = 0.1;
 
 }  // namespace
 
 std::unique_ptr<Job> proofJob(const Document& document, const ProofPlan& plan,
-                              std::shared_ptr<ProofTray> tray,
+                              std::shared_ptr<Mailbox<ShownProof>> mailbox,
                               std::function<void(std::shared_ptr<const ShownProof>)> done) {
     ShownProof shown;
     shown.ground =
@@ -33,7 +33,7 @@ std::unique_ptr<Job> proofJob(const Document& document, const ProofPlan& plan,
         order.file = *shown.ground.reference;
     }
     auto work = [now = PatternNow(document, {}, kFlatShare), scene = document.scene(),
-                 shown = std::move(shown), order = std::move(order), tray = std::move(tray)](
+                 shown = std::move(shown), order = std::move(order), mailbox = std::move(mailbox)](
                     Progress& progress) mutable -> Result<std::shared_ptr<const ShownProof>> {
         if (const auto& body = shown.plan.body; !body.empty()) {
             Progress reading(progress, 0);
@@ -51,10 +51,9 @@ std::unique_ptr<Job> proofJob(const Document& document, const ProofPlan& plan,
         const auto watch = [&](const std::vector<Points3>& sewn) {
             ShownProof onItsWay = shown;
             onItsWay.cloth = sewnCloth(scene, anchors, sewn, nullptr, of);
-            const std::lock_guard lock(tray->mutex);
-            tray->sewing = std::make_shared<const ShownProof>(std::move(onItsWay));
+            mailbox->put(std::make_shared<const ShownProof>(std::move(onItsWay)));
         };
-        if (tray) {
+        if (mailbox) {
             order.watch = watch;
         }
         auto proof = now.with({}, progress, [&](const ExportSource& source, const Progress& part) {

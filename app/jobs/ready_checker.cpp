@@ -11,42 +11,38 @@ namespace toile::app {
 
 namespace {
 
-/// Changes that come closer after each other than this are one.
+/// Changes closer together than this are answered once.
 constexpr int kDelayMilliseconds = 60;
 
 }  // namespace
 
 ReadyChecker::ReadyChecker(Document& document, QObject* parent)
-    : QObject(parent), document_(document) {
-    delay_.setSingleShot(true);
-    delay_.setInterval(kDelayMilliseconds);
-    connect(&delay_, &QTimer::timeout, this, &ReadyChecker::start);
-    connect(&document_, &Document::changed, this, &ReadyChecker::onChanged);
+    : QObject(parent),
+      document_(document),
+      follower_(
+          readyToCut,
+          [this](Attempt<Readiness> made, const CutPlan& plan, bool) {
+              if (made.answer) {  // otherwise memory is short: keep the earlier findings
+                  plan_ = plan;
+                  readiness_ = *std::move(made.answer);
+                  emit changed();
+              }
+          },
+          {}, kDelayMilliseconds) {
+    connect(&document_, &Document::changed, this, &ReadyChecker::ask);
     plan_ = planOfDocument();
     if (plan_.garment) {
-        delay_.start();
+        ask();
     }
 }
 
 void ReadyChecker::setGuessesKept(bool kept) {
-    if (kept != guessesKept_) {
-        guessesKept_ = kept;
-        delay_.start();
-    }
+    guessesKept_ = kept;
+    ask();
 }
 
-void ReadyChecker::onChanged() {
-    CutPlan plan = planOfDocument();
-    if (plan == std::exchange(asked_, plan)) {
-        return;
-    }
-    worker_.cancel();
-    if (!document_.garment() && plan_.garment) {
-        plan_ = {};
-        readiness_ = {};
-        emit changed();
-    }
-    delay_.start();
+void ReadyChecker::ask() {
+    follower_.ask(planOfDocument());
 }
 
 std::shared_ptr<const Proof> ReadyChecker::proofNow() const {
@@ -72,34 +68,6 @@ CutPlan ReadyChecker::planOfDocument() const {
             .referenceName = pathText(path.filename()),
             .referenceNotes = reference ? reference->notes : std::vector<Wording>{},
             .guessesKept = guessesKept_};
-}
-
-void ReadyChecker::start() {
-    if (worker_.isBusy()) {
-        return;  // it has been cancelled, and then this comes again
-    }
-    CutPlan plan = planOfDocument();
-    if (plan == plan_) {
-        return;
-    }
-    worker_.start([plan](Progress& progress) { return readyToCut(plan, progress); },
-                  [this, plan](Attempt<Readiness> made, const Progress& progress) {
-                      take(plan, std::move(made), progress.isCancelled());
-                  });
-}
-
-void ReadyChecker::take(CutPlan plan, Attempt<Readiness> made, bool isCancelled) {
-    if (made.answer && !isCancelled) {
-        plan_ = std::move(plan);
-        readiness_ = *std::move(made.answer);
-        emit changed();
-    }
-    // Out of memory: what was known before is shown on, and the next change asks again. Else what
-    // has changed while this ran may have been asked for in vain.
-    const bool isLost = !made.answer && !isCancelled;
-    if (!isLost && !worker_.isBusy() && !(planOfDocument() == plan_)) {
-        delay_.start();
-    }
 }
 
 }  // namespace toile::app

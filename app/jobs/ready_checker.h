@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QObject>
-#include <QTimer>
 
 #include "app/base/worker.h"
 #include "core/check/ready_to_cut.h"
@@ -11,45 +10,39 @@ namespace toile::app {
 
 class Document;
 
-/// Keeps the findings of "ready to cut?" as the document is: looked through anew on another thread
-/// whenever garment, results, options, fabric, settings, ease, the proof, the reference pattern or
-/// the settings of markers change. Changes that follow each other closely, as those of a drag, are
-/// answered once; an outdated search is cancelled. GUI thread only.
+/// Keeps the findings of "ready to cut?" up to date, on another thread. Changes that follow each
+/// other closely, as in a drag, are answered once; outdated checks are cancelled. GUI thread only.
 class ReadyChecker : public QObject {
     Q_OBJECT
 
 public:
     explicit ReadyChecker(Document& document, QObject* parent = nullptr);
 
-    /// Of `plan`; empty where nothing is open.
+    /// The findings for `plan`; empty if nothing is open.
     const Readiness& readiness() const { return readiness_; }
-    /// What the findings are about: their indices are of its garment, which may be another than the
-    /// document's for a moment.
+    /// The plan that was checked: indices in findings belong to its garment, which may differ from
+    /// the document's for a moment.
     const CutPlan& plan() const { return plan_; }
-    /// False while an answer is on its way.
-    bool isUpToDate() const { return !worker_.isBusy() && !delay_.isActive(); }
-    /// Whether a person has said that unit and up axis were guessed right.
+    /// False while a check is pending.
+    bool isUpToDate() const { return !follower_.isBusy(); }
+    /// Whether the user has confirmed guessed unit and up axis.
     void setGuessesKept(bool kept);
 
 signals:
-    /// `readiness` is another.
+    /// `readiness` has changed.
     void changed();
 
 private:
-    void onChanged();
+    void ask();
     CutPlan planOfDocument() const;
-    /// Of the document's own pattern as it is now; null: there is none.
+    /// The proof of the document's own pattern as it is now; null: none.
     std::shared_ptr<const Proof> proofNow() const;
-    void start();
-    void take(CutPlan plan, Attempt<Readiness> made, bool isCancelled);
 
     Document& document_;
-    QTimer delay_;
     CutPlan plan_;
-    CutPlan asked_;  ///< last
     Readiness readiness_;
     bool guessesKept_ = false;
-    Worker<Readiness> worker_;
+    Follower<CutPlan, Readiness> follower_;
 };
 
 }  // namespace toile::app

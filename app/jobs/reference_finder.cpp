@@ -15,7 +15,7 @@ namespace toile::app {
 
 namespace {
 
-/// Names in one sentence.
+/// Maximum number of names in one sentence.
 constexpr int kNamed = 4;
 
 QString listOf(const QStringList& names) {
@@ -53,34 +53,26 @@ ReferenceMatch layReference(const ReferenceQuestion& question) {
     return found;
 }
 
-bool isSameQuestion(const ReferenceQuestion& a, const ReferenceQuestion& b) {
-    return a.pattern == b.pattern && a.file == b.file && a.names == b.names;
-}
-
 ReferenceFinder::ReferenceFinder(Document& document, QObject* parent)
     : QObject(parent),
       document_(document),
-      answerer_(
-          layReference, [](const ReferenceQuestion&) { return false; },
-          [this](const Attempt<ReferenceMatch>& made, const ReferenceQuestion&, bool) {
-              take(made);
-          }) {
+      follower_(layReference, [this](const auto& made, const auto&, bool) { take(made); }) {
     connect(&document_, &Document::changed, this, &ReferenceFinder::ask);
 }
 
 void ReferenceFinder::ask() {
     if (auto question = referenceQuestion(document_)) {
-        answerer_.ask(*std::move(question));
+        follower_.ask(*std::move(question));
     }
 }
 
 void ReferenceFinder::take(const Attempt<ReferenceMatch>& made) {
     if (!made.answer) {
-        return;  // out of memory: another pattern asks again
+        return;  // out of memory
     }
     document_.showReference(std::make_shared<const ReferenceMatch>(*made.answer));
     const ReferenceMatch* shown = document_.reference();
-    // Of pieces that are not flat yet there is nothing to tell.
+    // Wait until all pieces are flat.
     if (shown && document_.isFlattened() && told_.lock() != shown->file) {
         told_ = shown->file;
         emit paired(summaryOf(*shown));

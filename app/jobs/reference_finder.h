@@ -16,26 +16,26 @@ namespace toile::app {
 
 class Document;
 
-/// What is to be found out of a reference pattern.
+/// How does a reference pattern lie on a pattern?
 struct ReferenceQuestion {
     std::shared_ptr<const Pattern> pattern{};
     std::shared_ptr<const PatternFile> file{};
-    std::vector<std::string> names{};  ///< of the pieces, as a person calls them
+    std::vector<std::string> names{};  ///< of the pieces, as the user calls them
+
+    bool operator==(const ReferenceQuestion&) const = default;
 };
-bool isSameQuestion(const ReferenceQuestion& a, const ReferenceQuestion& b);
 
 /// Reads a pattern by its ending. Errors: of `readPatternFile`.
 /// @param path  absolute
 Result<ReferenceFile> readReference(const std::filesystem::path& path);
 
-/// What is to be found out of the document's reference pattern; none where none is open, or no
-/// pattern is there yet.
+/// The question for the document; none if no reference pattern is open, or there is no pattern yet.
 std::optional<ReferenceQuestion> referenceQuestion(const Document& document);
 
 /// Pairs the pieces and lays the file's outlines on them. Pure. Cost: of `matchPatterns`.
 ReferenceMatch layReference(const ReferenceQuestion& question);
 
-/// Lays the document's reference pattern on its pieces, on another thread, whenever one of the two
+/// Lays the document's reference pattern on its pieces on another thread, whenever one of the two
 /// changes, and shows the result (`Document::showReference`). GUI thread only.
 class ReferenceFinder : public QObject {
     Q_OBJECT
@@ -53,8 +53,8 @@ private:
     QString summaryOf(const ReferenceMatch& found) const;
 
     Document& document_;
-    std::weak_ptr<const PatternFile> told_;  ///< that was reported last
-    Answerer<ReferenceQuestion, ReferenceMatch> answerer_;
+    std::weak_ptr<const PatternFile> told_;  ///< reported last
+    Follower<ReferenceQuestion, ReferenceMatch> follower_;
 };
 
 }  // namespace toile::app

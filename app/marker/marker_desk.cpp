@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include "app/jobs/pattern_now.h"
+#include "app/jobs/derivation.h"
 #include "app/marker/cloth_drag.h"
 #include "app/session/workspace.h"
 #include "app/text/error_text.h"
@@ -77,19 +77,29 @@ QString searchProblem(const Error& problem) {
 }  // namespace
 
 MarkerDesk::MarkerDesk(Workspace& workspace, QObject* parent)
-    : QObject(parent), workspace_(workspace), document_(workspace.document()), search_(this) {
-    pause_.setSingleShot(true);
-    pause_.setInterval(kMarkerPauseMilliseconds);
-    connect(&pause_, &QTimer::timeout, this, &MarkerDesk::askForGround);
+    : QObject(parent),
+      workspace_(workspace),
+      document_(workspace.document()),
+      search_(this),
+      grounds_(
+          clothGround,
+          [this](const auto& made, const PatternNow&, bool) {
+              groundProblem_.reset();
+              if (made.answer && *made.answer) {
+                  takeGround(**made.answer);
+              } else if (made.answer) {
+                  groundProblem_ = made.answer->error();
+              } else {
+                  emit failed(faultText(made.fault));
+              }
+              emit changed();
+          },
+          {}, kMarkerPauseMilliseconds) {
     connect(&document_, &Document::opened, this, &MarkerDesk::onOpened);
     connect(&document_, &Document::changed, this, &MarkerDesk::onDocumentChanged);
     connect(&search_, &MarkerSearch::changed, this, &MarkerDesk::compose);
     connect(&search_, &MarkerSearch::failed, this, &MarkerDesk::failed);
-    connect(&workspace_.jobs(), &JobRunner::idle, this, [this] {
-        if (isActive_) {
-            pause_.start();
-        }
-    });
+    connect(&workspace_.jobs(), &JobRunner::idle, this, &MarkerDesk::askForGround);
 }
 
 MarkerDesk::~MarkerDesk() {
@@ -103,8 +113,7 @@ void MarkerDesk::begin() {
 
 void MarkerDesk::end() {
     isActive_ = false;
-    pause_.stop();
-    worker_.cancel();
+    grounds_.forget();
     ground_.reset();
     tried_.reset();
     search_.clear();
@@ -166,12 +175,15 @@ const MarkerPlan& MarkerDesk::plan() const {
 
 void MarkerDesk::setSettings(const QString& text, const MarkerSettings& settings, int gesture) {
     if (document_.garment()) {
-        DocumentState next = document_.state();
         MarkerPlan said = plan();
         said.settings = settings;
-        next.markers = next.markers.with(material_, std::move(said));
-        document_.edit(text, std::move(next), gesture);
+        store(text, std::move(said), gesture);
     }
+}
+
+void MarkerDesk::store(const QString& text, MarkerPlan next, int gesture) {
+    document_.edit(text, &DocumentState::markers,
+                   document_.state().markers.with(material_, std::move(next)), gesture);
 }
 
 bool MarkerDesk::canImprove() const {
@@ -210,27 +222,21 @@ void MarkerDesk::keep(int copy, Placement placement, const QString& text) {
     std::ranges::sort(said.kept, {}, [](const KeptCopy& kept) {
         return std::pair(kept.copy.piece.value, kept.copy.number);
     });
-    DocumentState next = document_.state();
-    next.markers = next.markers.with(material_, std::move(said));
     tried_.reset();
-    document_.edit(text.arg(nameOf(copy)), std::move(next));
+    store(text.arg(nameOf(copy)), std::move(said));
 }
 
 void MarkerDesk::release(int copy) {
     const CopyKey key = marker_->copies[static_cast<std::size_t>(copy)].key;
     MarkerPlan said = plan();
     std::erase_if(said.kept, [&](const KeptCopy& kept) { return kept.copy == key; });
-    DocumentState next = document_.state();
-    next.markers = next.markers.with(material_, std::move(said));
-    document_.edit(tr("Release %1 on the cloth").arg(nameOf(copy)), std::move(next));
+    store(tr("Release %1 on the cloth").arg(nameOf(copy)), std::move(said));
 }
 
 void MarkerDesk::releaseAll() {
     MarkerPlan said = plan();
     said.kept.clear();
-    DocumentState next = document_.state();
-    next.markers = next.markers.with(material_, std::move(said));
-    document_.edit(tr("Release all pieces on the cloth"), std::move(next));
+    store(tr("Release all pieces on the cloth"), std::move(said));
 }
 
 QString MarkerDesk::nameOf(int copy) const {
@@ -249,7 +255,7 @@ void MarkerDesk::onDocumentChanged(const DocumentChange& what) {
     if (!isActive_ || !what.touchesContent()) {
         return;
     }
-    pause_.start();
+    askForGround();
     if (ground_ && plan() != plan_) {
         const bool otherSettings = !(plan().settings == plan_.settings);
         const bool otherCloth = otherSettings && (plan().settings.width != plan_.settings.width ||
@@ -271,41 +277,18 @@ void MarkerDesk::onDocumentChanged(const DocumentChange& what) {
 
 /// Computes the ground once the document is flat and idle; ignores intermediate states.
 void MarkerDesk::askForGround() {
-    pause_.stop();
     if (!isActive_) {
         return;
     }
-    if (!workspace_.canExport() || !document_.isFlattened() || workspace_.jobs().isBusy()) {
+    if (workspace_.canExport() && document_.isFlattened() && !workspace_.jobs().isBusy()) {
+        grounds_.ask(PatternNow(document_, {}));
+    } else {
+        grounds_.forget();
         if (!workspace_.jobs().isBusy()) {
             ground_.reset();
             search_.clear();
         }
-        emit changed();
-        return;
     }
-    if (worker_.isBusy()) {
-        asksAgain_ = true;
-        worker_.cancel();
-        return;
-    }
-    worker_.start([now = PatternNow(document_, {})](
-                      Progress& progress) { return clothGround(now, progress); },
-                  [this](const Attempt<Result<std::shared_ptr<const ClothGround>>>& made,
-                         const Progress& progress) {
-                      if (std::exchange(asksAgain_, false)) {
-                          askForGround();
-                      } else if (isActive_ && !progress.isCancelled()) {
-                          groundProblem_.reset();
-                          if (made.answer && *made.answer) {
-                              takeGround(**made.answer);
-                          } else if (made.answer) {
-                              groundProblem_ = made.answer->error();
-                          } else {
-                              emit failed(faultText(made.fault));
-                          }
-                          emit changed();
-                      }
-                  });
     emit changed();
 }
 

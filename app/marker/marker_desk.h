@@ -2,13 +2,13 @@
 #pragma once
 
 #include <QObject>
-#include <QTimer>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/document/document.h"
+#include "app/jobs/derivation.h"
 #include "app/jobs/marker_job.h"
 
 namespace toile::app {
@@ -93,6 +93,7 @@ signals:
     void failed(const QString& sentence);
 
 private:
+    void store(const QString& text, MarkerPlan next, int gesture = -1);
     void onOpened();
     void onDocumentChanged(const DocumentChange& what);
     void askForGround();
@@ -120,9 +121,7 @@ private:
     std::shared_ptr<const ClothMarker> othersOf_;
     MarkerFigures figures_;
     MarkerSearch search_;
-    QTimer pause_;
-    bool asksAgain_ = false;
-    Worker<Result<std::shared_ptr<const ClothGround>>> worker_;
+    Follower<PatternNow, Result<std::shared_ptr<const ClothGround>>> grounds_;
 };
 
 }  // namespace toile::app

@@ -10,7 +10,6 @@
 #include "app/document/document.h"
 #include "app/document/line_edits.h"
 #include "app/document/mirrored_edits.h"
-#include "app/document/names.h"
 #include "app/text/figures.h"
 #include "core/base/units.h"
 #include "core/geometry/line.h"

@@ -15,7 +15,6 @@
 #include <utility>
 
 #include "app/document/document.h"
-#include "app/document/names.h"
 #include "app/settings/length_display.h"
 #include "app/text/error_text.h"
 #include "app/text/fabric_name.h"
@@ -136,13 +135,16 @@ FabricPanel::FabricPanel(Document& document, QWidget* parent, const FitWork& wor
       preset_(new QComboBox(this)),
       all_(new QLabel(this)),
       worst_(new QLabel(this)),
-      answerer_(work, isSmall, [this](const auto& made, const FabricQuestion& question, bool) {
-          // Show the fit of an earlier fabric or grain too, so that the figures change during a
-          // long drag.
-          if (clothOf(question.scene) == clothOf(document_.scene())) {
-              made.answer ? setFit(*made.answer) : setFit(std::nullopt, faultText(made.fault));
-          }
-      }) {
+      follower_(
+          work,
+          [this](const auto& made, const FabricQuestion& question, bool) {
+              // Show the fit of an earlier fabric or grain too, so that the figures change during
+              // a long drag.
+              if (clothOf(question.scene) == clothOf(document_.scene())) {
+                  made.answer ? setFit(*made.answer) : setFit(std::nullopt, faultText(made.fault));
+              }
+          },
+          isSmall) {
     fields_.make<Fabric>(kLimitFields, "fabric");
     auto* empty = makeWrappedNote(tr("Open a garment to set its fabric."), "fabricEmpty", this);
     empty->setAlignment(Qt::AlignCenter);
@@ -328,7 +330,7 @@ void FabricPanel::askForFit() {
     if (!document_.scene()) {
         setFit(std::nullopt);  // clear the figures of a closed garment
     }
-    answerer_.ask({document_.scene(),
+    follower_.ask({document_.scene(),
                    placesOf(document_.settings(), {}, document_.state().materials),
                    document_.fabric()});
 }

@@ -37,7 +37,7 @@ public:
     QWidget& firstField() const;
     /// Empty if no piece is flat. Belongs to an earlier fabric or grain if `isUpToDate` is false.
     const std::optional<FabricFit>& fit() const { return fit_; }
-    bool isUpToDate() const { return !answerer_.isBusy(); }
+    bool isUpToDate() const { return !follower_.isBusy(); }
 
 signals:
     /// The user clicked the link to the worst piece, which is now selected.
@@ -77,7 +77,7 @@ private:
     QLabel *all_, *worst_, *unstated_ = nullptr, *need_ = nullptr;
     std::optional<FabricFit> fit_;
     QString problem_;  ///< why the fit could not be computed
-    Answerer<FabricQuestion, std::optional<FabricFit>> answerer_;
+    Follower<FabricQuestion, std::optional<FabricFit>> follower_;
 };
 
 }  // namespace toile::app

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/base/text.h"
-#include "app/document/names.h"
+#include "app/document/document.h"
 #include "app/render/scene.h"
 #include "app/session/cut_proposals.h"
 #include "app/session/workspace.h"
@@ -167,7 +167,7 @@ CardQuestion askSolid(const Garment& garment, int index, Workspace& workspace) {
                   workspace.document().setSelection({pieces.begin(), pieces.end()});
                   workspace.proposals().open();
               }},
-             {tr("Cut open"), false, [&workspace, pieces] { workspace.cutOpen(pieces); }},
+             {tr("Cut open"), false, [&workspace, pieces] { workspace.cuts().openPieces(pieces); }},
              {tr("Leave unchanged"), false, [&workspace, asIs] { workspace.setPreparing(asIs); }}}};
 }
 

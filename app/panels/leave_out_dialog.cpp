@@ -8,7 +8,6 @@
 #include <QPushButton>
 
 #include "app/document/document.h"
-#include "app/document/names.h"
 #include "app/document/piece_edits.h"
 
 namespace toile::app {

@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "app/document/document.h"
-#include "app/document/names.h"
 #include "app/text/figures.h"
 #include "app/widgets/cell_delegate.h"
 #include "core/project/piece_settings.h"

@@ -18,7 +18,6 @@
 #include "app/actions/action_registry.h"
 #include "app/document/document.h"
 #include "app/document/layout.h"
-#include "app/document/names.h"
 #include "app/document/piece_edits.h"
 #include "app/panels/shared_values.h"
 #include "app/settings/length_display.h"

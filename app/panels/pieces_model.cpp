@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "app/document/document.h"
-#include "app/document/names.h"
 #include "app/document/piece_edits.h"
 #include "app/render/colour_map.h"
 #include "app/settings/length_display.h"

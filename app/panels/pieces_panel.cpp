@@ -19,7 +19,6 @@
 #include <utility>
 
 #include "app/document/document.h"
-#include "app/document/names.h"
 #include "app/document/piece_edits.h"
 #include "app/panels/pieces_model.h"
 #include "app/settings/length_display.h"

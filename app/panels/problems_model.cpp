@@ -9,7 +9,6 @@
 
 #include "app/base/text.h"
 #include "app/panels/remedies.h"
-#include "app/panels/unprepared_scan.h"
 #include "app/text/error_text.h"
 #include "app/text/figures.h"
 #include "app/text/seam_fit.h"

@@ -126,8 +126,8 @@ void ProofForm::makeFold() {
 }
 
 void ProofForm::take(const SettingChange& change) {
-    document_.setProofPlan(fields_.changed(kProofFields, document_.state().proof, change),
-                           change.text, change.gesture);
+    document_.edit(change.text, &DocumentState::proof,
+                   fields_.changed(kProofFields, document_.state().proof, change), change.gesture);
     show();  // the value may have been limited to its range
 }
 
@@ -136,7 +136,7 @@ void ProofForm::chooseUnit(int choice) {
     if (known < static_cast<int>(std::size(kLengthUnits))) {  // else keep the current unit
         ProofPlan plan = document_.state().proof;
         plan.bodyUnit = known < 0 ? std::nullopt : std::optional<FileUnit>(kLengthUnits[known]);
-        document_.setProofPlan(std::move(plan), tr("Change unit of the body"), -1);
+        document_.edit(tr("Change unit of the body"), &DocumentState::proof, std::move(plan));
     }
 }
 
@@ -145,7 +145,7 @@ void ProofForm::chooseHolder(int choice) {
         ProofPlan plan = document_.state().proof;
         plan.body.clear();
         plan.bodyUnit.reset();
-        document_.setProofPlan(std::move(plan), tr("Use design as dress form"), -1);
+        document_.edit(tr("Use design as dress form"), &DocumentState::proof, std::move(plan));
         return;
     }
     if (choice == ByAnotherBody || proof_.plan().body.empty()) {

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "app/document/document.h"
-#include "app/document/names.h"
 #include "app/document/shown_proof.h"
 #include "app/text/figures.h"
 

@@ -19,7 +19,6 @@
 #include <cmath>
 
 #include "app/document/document.h"
-#include "app/document/names.h"
 #include "app/document/shown_proof.h"
 #include "app/panels/proof_form.h"
 #include "app/panels/proof_model.h"

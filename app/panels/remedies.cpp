@@ -4,7 +4,6 @@
 #include <QCoreApplication>
 #include <algorithm>
 
-#include "app/panels/unprepared_scan.h"
 #include "core/assemble/cut_pieces.h"
 
 namespace toile::app {

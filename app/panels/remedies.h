@@ -6,6 +6,8 @@
 
 #include "app/actions/action_table.h"
 #include "core/check/ready_to_cut.h"
+#include "core/diagnose/finding.h"
+#include "core/garment/garment.h"
 
 namespace toile::app {
 
@@ -24,6 +26,10 @@ enum class Remedy {
     PutDart,  ///< from the nearest edge to the worst place, as a proposal
     LayOutAgain,
 };
+
+/// True if a finding is about pieces of a file that looks like a scan, and the user has not set how
+/// to read it. Preparing the scan comes before any remedy for a piece.
+bool isOfUnpreparedScan(const Finding& finding, const Garment& garment);
 
 /// Best remedy first. Empty if the user has to find a solution.
 /// @param finding  belongs to `plan`

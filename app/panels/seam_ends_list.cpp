@@ -6,7 +6,6 @@
 #include <QScrollBar>
 
 #include "app/document/document.h"
-#include "app/document/names.h"
 #include "app/text/figures.h"
 #include "app/widgets/cell_delegate.h"
 

@@ -14,8 +14,6 @@
 #include "app/document/document.h"
 #include "app/document/line_edits.h"
 #include "app/document/mirrored_edits.h"
-#include "app/document/names.h"
-#include "app/document/notch_edits.h"
 #include "app/text/figures.h"
 #include "core/assemble/seams_file.h"
 #include "core/pattern/line_fields.h"

@@ -13,7 +13,6 @@
 
 #include "app/document/document.h"
 #include "app/document/mirrored_edits.h"
-#include "app/document/names.h"
 #include "app/document/piece_edits.h"
 #include "app/panels/mirrored_pieces_list.h"
 #include "app/settings/length_display.h"

@@ -11,7 +11,6 @@
 
 #include "app/base/text.h"
 #include "app/document/document.h"
-#include "app/document/project_state.h"
 #include "app/jobs/file_jobs.h"
 #include "core/project/project_file.h"
 
@@ -21,7 +20,7 @@ namespace {
 constexpr auto kLockEnding = ".lock";
 constexpr int kMinute = 60'000;  ///< milliseconds
 
-/// A lock that only the end of its process makes stale, not its age.
+/// A lock that becomes stale only when its process ends, not by age.
 std::shared_ptr<QLockFile> lockOf(const QString& file) {
     auto lock = std::make_shared<QLockFile>(file + kLockEnding);
     lock->setStaleLockTime(0);
@@ -48,7 +47,7 @@ Autosave::Autosave(const Document& document, Session session, QString folder,
 }
 
 Autosave::~Autosave() {
-    jobs_.shutdown();  // what is being written is written; it goes too
+    jobs_.shutdown();  // waits for a file being written, which is removed, too
     if (!writing_.isEmpty()) {
         QFile::remove(writing_);
     }
@@ -70,7 +69,7 @@ std::vector<RecoveryFile> Autosave::abandoned() const {
         }
         const auto read = readProject(pathOf(info.absoluteFilePath()));
         if (!read) {
-            continue;  // nothing to be had from it, and nothing of ours to remove
+            continue;  // unreadable, and not ours to remove
         }
         const auto of = read->project.recoveryOf.value_or(std::filesystem::path());
         found.push_back({info.absoluteFilePath(),
@@ -135,7 +134,7 @@ void Autosave::writeNow() {
         return;
     }
     if (!prepare()) {
-        return;  // no place to write to: work goes on without
+        return;  // no folder to write to
     }
     sinceWriting_.start();
     sinceChange_.invalidate();

@@ -23,65 +23,63 @@ class Document;
 /// When recovery files are written, milliseconds.
 struct AutosaveTimes {
     int quiet = 20000;   ///< after the last change
-    int apart = 60000;   ///< from one to the next, at least
-    int latest = 60000;  ///< after the first change, where changes never end
+    int apart = 60000;   ///< from one file to the next, at least
+    int latest = 60000;  ///< after the first change, while changes go on
 };
 
-/// As a person chooses them: minutes from one writing to the next; none for 0, which is never.
+/// The times for a chosen interval in minutes; none for 0, which means never.
 std::optional<AutosaveTimes> autosaveTimes(int minutes);
 
-/// A recovery file that a process has left behind, and the lock on it: held as long as this lives,
-/// so that no other process offers it too.
+/// A recovery file that a crashed process has left, and the lock on it: held as long as this lives,
+/// so that no other process offers the file, too.
 struct RecoveryFile {
     QString path;
-    QString project;  ///< that it is of, or its first mesh where that was never saved
-    QDateTime time;   ///< of the last writing
+    QString project;  ///< path of the project, or its first mesh if it was never saved
+    QDateTime time;   ///< when it was written
     std::shared_ptr<QLockFile> lock;
 };
 
-/// Keeps unsaved changes in a recovery file: written by a job a while after a change, gone once
-/// there is nothing unsaved and at a clean exit. What is left behind was a crash's. GUI thread
-/// only.
+/// Keeps unsaved changes in a recovery file. A job writes it a while after a change; it is removed
+/// when nothing is unsaved and at a clean exit, so that only a crash leaves one. GUI thread only.
 class Autosave : public QObject {
     Q_OBJECT
 
 public:
-    /// What it has to know of the session.
+    /// What Autosave asks the session.
     struct Session {
         std::function<bool()> isModified;                ///< also while it is being saved
-        std::function<std::filesystem::path()> project;  ///< empty where never saved
+        std::function<std::filesystem::path()> project;  ///< empty if never saved
     };
 
-    /// @param folder  made when it is needed
+    /// @param folder  created when it is needed
     /// @param times   none: nothing is written
     Autosave(const Document& document, Session session, QString folder,
              std::optional<AutosaveTimes> times, QObject* parent = nullptr);
-    /// A clean exit: the recovery file goes.
+    /// A clean exit: removes the recovery file.
     ~Autosave() override;
 
-    /// Where the person's recovery files lie.
+    /// The folder of the user's recovery files.
     static QString defaultFolder();
-    /// What crashed processes have left, the latest first. Reads those files.
+    /// Files that crashed processes have left, the latest first. Reads them.
     std::vector<RecoveryFile> abandoned() const;
     static void discard(const RecoveryFile& file);
 
-    /// From now on; without times the recovery file goes, and none is written.
+    /// Sets the times; without times removes the recovery file, and writes none.
     void setTimes(std::optional<AutosaveTimes> times);
-    /// To be called when the session's answers are others.
+    /// Call it when the session's answers change.
     void noteChange();
-    /// To be called on every change of the document: notes it if what is saved differs from what
-    /// was noted last.
+    /// Call it on every change of the document: ignores changes of parts that are not saved.
     void noteDocument();
-    /// The file is this session's from now on.
+    /// Makes the file this session's own.
     void adopt(RecoveryFile file);
-    /// Writes now what there is to write.
+    /// Writes unsaved changes now.
     void writeNow();
-    /// Empty where there is none.
+    /// Empty if there is none.
     const QString& file() const { return file_; }
 
 signals:
     void written(const QString& path);
-    /// Unsaved changes cannot be kept, and why; it is tried again after a while.
+    /// Unsaved changes cannot be kept, and why; tries again after a while.
     void failed(const QString& sentence);
 
 private:
@@ -96,8 +94,8 @@ private:
     std::optional<AutosaveTimes> times_;
     QTimer timer_{this};
     QElapsedTimer sinceWriting_;  ///< invalid until there was one
-    QElapsedTimer sinceChange_;   ///< the first that is not written; invalid where there is none
-    QString file_, writing_;      ///< the present one, and the last that was begun
+    QElapsedTimer sinceChange_;   ///< the first unwritten change; invalid if there is none
+    QString file_, writing_;      ///< the present one, and the last one begun
     std::shared_ptr<QLockFile> lock_;
     JobRunner jobs_;
 };

@@ -9,7 +9,10 @@
 #include "app/text/error_text.h"
 #include "app/text/proposed_name.h"
 #include "core/assemble/cut_pieces.h"
+#include "core/garment/garment.h"
+#include "core/project/piece_names.h"
 #include "core/project/piece_settings.h"
+#include "core/tailor/mesh_lines.h"
 #include "core/toile/pipeline.h"
 
 namespace toile::app {
@@ -23,7 +26,7 @@ AdviceQuestion questionOf(const Garment& garment, const std::shared_ptr<const Pi
     return {whole, own, garment.files[static_cast<std::size_t>(whole->file)]};
 }
 
-/// A piece of the garment before the cuts in it, with the person's own.
+/// The whole piece before its cuts, with the user's own cuts.
 AdviceQuestion wholeOf(const Garment& garment, const std::shared_ptr<const Piece>& piece) {
     for (const CutRecord& record : garment.cutRecords) {
         if (record.whole == piece ||
@@ -34,7 +37,7 @@ AdviceQuestion wholeOf(const Garment& garment, const std::shared_ptr<const Piece
     return questionOf(garment, piece);
 }
 
-/// The same whole in another version of the garment; none where it is no more.
+/// The same whole piece in another version of the garment; none if it is gone.
 std::optional<AdviceQuestion> wholeWith(const Garment& garment, PieceId id) {
     for (const CutRecord& record : garment.cutRecords) {
         if (record.whole->id == id) {
@@ -58,30 +61,41 @@ std::vector<UserCut> linesOf(const CutAdvice& advice) {
 }  // namespace
 
 CutProposals::CutProposals(Workspace& workspace)
-    : workspace_(workspace), document_(workspace.document()), names_(document_) {
+    : workspace_(workspace),
+      document_(workspace.document()),
+      asking_(
+          [](const AdviceQuestion& asked, Progress& progress) {
+              AdviceOptions options = asked.options;
+              options.borders = fileBorders(*asked.piece, *asked.file->soup);
+              return adviseCuts(asked.piece, asked.own, options, progress);
+          },
+          [this](const Attempt<CutAdvice>& made, const AdviceQuestion&, bool) {
+              problem_ = made.answer ? QString() : faultText(made.fault);
+              take(made.answer.value_or(CutAdvice{}));
+          }),
+      solving_(
+          [](const Trial& trial, Progress& progress) {
+              const auto& [question, advice] = *trial.cuts;
+              return solvedStrain(question.piece, question.own, advice, trial.count, trial.options,
+                                  progress);
+          },
+          [this](const Attempt<Result<StrainFigures>>& made, const Trial& trial, bool) {
+              counts_.erase(counts_.begin());
+              solveNext();
+              if (made.answer && *made.answer) {  // otherwise the prediction stays
+                  takeSolved(trial.count, **made.answer);
+              }
+              emit changed();
+          }) {
     soon_.setSingleShot(true);
     soon_.setInterval(kAfterMove);
     connect(&soon_, &QTimer::timeout, this, &CutProposals::solve);
-    connect(&adviser_, &CutAdviser::advised, this, &CutProposals::take);
-    connect(&adviser_, &CutAdviser::failed, this, [this](const QString& sentence) {
-        problem_ = sentence;
-        take({});
-    });
-    connect(&adviser_, &CutAdviser::solved, this,
-            [this](std::size_t count, const StrainFigures& figures) {
-                const std::size_t cut = count - 1;
-                advice_.cuts[cut].solved = figures;
-                if (!isStale(cut)) {
-                    advised_[cut].solved = figures;
-                }
-                emit changed();
-            });
-    connect(&adviser_, &CutAdviser::solvedAll, this, &CutProposals::changed);
+    connect(&document_, &Document::opened, this, [this] { nameOf_ = nullptr; });
     connect(&document_, &Document::opened, this, &CutProposals::close);
     connect(&document_, &Document::changed, this, &CutProposals::onChanged);
     connect(&workspace_, &Workspace::refused, this, [this] {
         if (awaited_ > 0) {
-            ask(question_);  // what was to be made is proposed again
+            ask(question_);  // propose the refused cut again
         }
     });
 }
@@ -104,10 +118,10 @@ void CutProposals::open() {
     }
     AdviceQuestion question = wholeOf(*garment, *meant);
     if (isOpen() && question.piece == piece() && question.own == question_.own) {
-        emit opened();  // as they stand
+        emit opened();  // unchanged
         return;
     }
-    if (!isOpen()) {  // as automatic cuts have it
+    if (!isOpen()) {  // start with the settings of automatic cuts
         stated_ = document_.loading().enoughStrain;
         question_.options.isFrontSwapped = document_.loading().isFrontSwapped;
     }
@@ -121,7 +135,8 @@ void CutProposals::close() {
     if (!isOpen()) {
         return;
     }
-    adviser_.cancel();
+    cancelSolving();
+    asking_.forget();
     soon_.stop();
     state_ = State::Closed;
     question_ = {};
@@ -146,19 +161,20 @@ void CutProposals::ask(AdviceQuestion question) {
     }
     question_ = std::move(question);
     problem_.clear();
+    cancelSolving();
+    asking_.forget();
     soon_.stop();
     moving_.reset();
     moves_.clear();
     awaited_ = 0;
     if (piece()->defect && !isOpenable(*piece())) {
-        adviser_.cancel();
         problem_ =
             tr("No cuts can be proposed for this piece. %1").arg(errorText(*piece()->defect));
         take({});
         return;
     }
     state_ = State::Asking;
-    adviser_.ask(question_);
+    asking_.ask(question_);
     emit changed();
 }
 
@@ -174,7 +190,7 @@ void CutProposals::put(const CutAdvice& advice) {
         cut.what.cut.name = proposedName(cut.what.cut.name);
         cut.what.cut.evidence = wordingText(cut.evidence).toStdString();
     }
-    markNeeded(advice_, enough());  // which may have been stated since it was asked
+    markNeeded(advice_, enough());  // the strain may have been stated since
     advised_ = advice_.cuts;
     lines_ = linesOf(advice_);
     moving_.reset();
@@ -191,19 +207,48 @@ void CutProposals::put(const CutAdvice& advice) {
 }
 
 void CutProposals::solve() {
-    std::vector<std::size_t> counts;
+    if (state_ != State::Known || awaited_ > 0) {
+        return;
+    }
+    cancelSolving();
     for (std::size_t k = 0; k < std::min(kSolvedAhead, advice_.cuts.size()); ++k) {
         if (!advice_.cuts[k].solved) {
-            counts.push_back(k + 1);
+            counts_.push_back(k + 1);
         }
     }
-    if (state_ == State::Known && awaited_ == 0 && !counts.empty()) {
-        adviser_.solve(question_, advice_, std::move(counts), document_.options());
+    if (!counts_.empty()) {
+        trial_ = {std::make_shared<const std::pair<AdviceQuestion, CutAdvice>>(question_, advice_),
+                  document_.options()};
+        solveNext();
         emit changed();
     }
 }
 
+void CutProposals::solveNext() {
+    if (!counts_.empty()) {
+        trial_.count = counts_.front();
+        solving_.ask(trial_);
+    }
+}
+
+void CutProposals::takeSolved(std::size_t count, const StrainFigures& figures) {
+    const std::size_t cut = count - 1;
+    advice_.cuts[cut].solved = figures;
+    if (!isStale(cut)) {
+        advised_[cut].solved = figures;
+    }
+}
+
+void CutProposals::cancelSolving() {
+    counts_.clear();
+    solving_.forget();
+}
+
 void CutProposals::onChanged(const DocumentChange& what) {
+    if (nameOf_ && document_.isCurrent()) {
+        // After all listeners have handled this change.
+        QMetaObject::invokeMethod(this, &CutProposals::nameParts, Qt::QueuedConnection);
+    }
     if (!isOpen()) {
         return;
     }
@@ -211,7 +256,7 @@ void CutProposals::onChanged(const DocumentChange& what) {
         close();
     } else if (what.hasOtherPieces()) {
         follow();
-    } else if (awaited_ > 0 && document_.isCurrent()) {  // it was not made after all
+    } else if (awaited_ > 0 && document_.isCurrent()) {  // it was refused
         ask(question_);
     } else if (what.touches(&DocumentState::fabric) && !stated_) {
         stateEnough(std::nullopt);
@@ -225,7 +270,7 @@ void CutProposals::follow() {
         return;
     }
     now->options = question_.options;
-    // What was made here, and nothing else: the others stay as they lie.
+    // Only the cut applied here is new: the other proposals stay.
     const bool isOurs = now->piece == piece() && now->own.size() == question_.own.size() + awaited_;
     if (*now == question_) {
         return;
@@ -301,10 +346,46 @@ void CutProposals::makeTaken() {
             cuts.push_back(lines_[k]);
         }
     }
-    const int gesture = document_.newGesture();
-    names_.await(piece()->id, advice_.nameOf, gesture);
+    awaitParts();
     close();
-    workspace_.makeCuts(tr("Make proposed cuts"), std::move(cuts), gesture);
+    workspace_.cuts().makeAll(tr("Make proposed cuts"), std::move(cuts), gesture_);
+}
+
+void CutProposals::awaitParts() {
+    cutPiece_ = piece()->id;
+    nameOf_ = advice_.nameOf;
+    gesture_ = document_.newGesture();
+}
+
+void CutProposals::nameParts() {
+    if (!document_.isCurrent()) {
+        return;  // edited since: wait for the next garment
+    }
+    const auto nameOf = std::exchange(nameOf_, nullptr);
+    const auto garment = document_.garment();
+    const QUndoStack& history = document_.history();
+    const auto* step = history.command(history.index() - 1);
+    if (!nameOf || !garment || !step || step->id() != gesture_) {
+        return;  // undone, or followed by another step
+    }
+    const auto record = std::ranges::find(garment->cutRecords, cutPiece_,
+                                          [](const CutRecord& one) { return one.whole->id; });
+    if (record == garment->cutRecords.end() || record->pieces.size() < 2) {
+        return;
+    }
+    const std::string prefix = garment->uncut.size() > 1 ? record->whole->name + ", " : "";
+    DocumentState next = document_.state();
+    for (std::size_t k = 0; k < garment->pieces.size(); ++k) {
+        const auto& piece = garment->pieces[k];
+        if (std::ranges::find(record->pieces, piece) == record->pieces.end()) {
+            continue;
+        }
+        if (const std::string name = nameOf(*piece); !name.empty()) {
+            next.labels = withName(std::move(next.labels), *garment, static_cast<int>(k),
+                                   prefix + proposedPartName(name));
+        }
+    }
+    document_.edit(step->text(), std::move(next), gesture_);
 }
 
 void CutProposals::make(std::size_t cut) {
@@ -315,18 +396,18 @@ void CutProposals::make(std::size_t cut) {
     cancelMove();
     remove(cut);
     ++awaited_;
-    const int gesture = document_.newGesture();
-    names_.await(piece()->id, advice_.nameOf, gesture);
-    workspace_.makeCuts(tr("Cut along %1").arg(QString::fromStdString(made.name)), {made}, gesture);
+    awaitParts();
+    workspace_.cuts().makeAll(tr("Cut along %1").arg(QString::fromStdString(made.name)), {made},
+                              gesture_);
 }
 
 void CutProposals::remove(std::size_t cut) {
-    adviser_.cancelSolving();
+    cancelSolving();
     const auto at = static_cast<std::ptrdiff_t>(cut);
     if (cut == 0) {
         advice_.before = advice_.cuts[0].predicted;
     }
-    for (std::size_t k = 0; k < cut; ++k) {  // those before it were flattened without
+    for (std::size_t k = 0; k < cut; ++k) {  // those before it were flattened without it
         advice_.cuts[k].solved.reset();
         advised_[k].solved.reset();
     }
@@ -338,7 +419,7 @@ void CutProposals::remove(std::size_t cut) {
     for (auto& lines : moves_) {
         drop(lines);
     }
-    for (std::size_t k = moves_.size(); k-- > 0;) {  // that moved nothing else
+    for (std::size_t k = moves_.size(); k-- > 0;) {  // drop moves of the removed cut alone
         if (moves_[k] == (k + 1 < moves_.size() ? moves_[k + 1] : lines_)) {
             moves_.erase(moves_.begin() + static_cast<std::ptrdiff_t>(k));
         }
@@ -376,7 +457,7 @@ void CutProposals::setLines(std::vector<UserCut> lines) {
         cut.what.cut = lines_[k];
         cut.solved = isStale(k) ? std::nullopt : advised.solved;
     }
-    adviser_.cancelSolving();
+    cancelSolving();
     soon_.start();
     emit changed();
 }

@@ -4,13 +4,18 @@
 #include <QObject>
 #include <QTimer>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "app/jobs/cut_adviser.h"
-#include "app/session/part_naming.h"
+#include "app/base/worker.h"
+#include "core/base/result.h"
+#include "core/flatten/base/flat_piece.h"
+#include "core/garment/garment.h"
+#include "core/tailor/cut_advice.h"
 #include "core/tailor/handles.h"
 
 namespace toile::app {
@@ -19,11 +24,20 @@ class Document;
 class DocumentChange;
 class Workspace;
 
-/// Cuts that Toile proposes for one piece, from when a person asks for them until they are closed:
-/// what is known of each, which are to be made, which is selected, and where handles have been
-/// moved. None of it is a step of the history: what is not made leaves no trace. What is made is
-/// the user's. Follows edits of the garment: asks again while the piece is there, else closes.
-/// GUI thread only.
+/// A piece to propose cuts for.
+struct AdviceQuestion {
+    std::shared_ptr<const Piece> piece{};
+    std::vector<UserCut> own{};                ///< cuts that are made in any case, mm
+    std::shared_ptr<const SourceFile> file{};  ///< of the piece; cuts follow its borders
+    AdviceOptions options{};                   ///< without borders
+
+    bool operator==(const AdviceQuestion&) const = default;
+};
+
+/// Cuts that Toile proposes for one piece, from when the user asks for them until they are closed:
+/// what is known of each, which ones are ticked, which one is selected, and which handles were
+/// moved. None of it is in the history; applied cuts are the user's own. Asks again when the
+/// garment is edited, and closes when the piece is gone. GUI thread only.
 class CutProposals : public QObject {
     Q_OBJECT
 
@@ -33,67 +47,67 @@ public:
     explicit CutProposals(Workspace& workspace);
     ~CutProposals() override;
 
-    /// Asks for the selected piece, else for the first that cannot lie flat, else for the largest;
-    /// of one that was cut for the whole of it. Nothing where no garment is open. What no cut can
-    /// open has a `problem`.
+    /// Proposes cuts for the selected piece, else for the first that cannot lie flat, else for the
+    /// largest; for the whole piece if it was cut. Does nothing if no garment is open. There is a
+    /// `problem` if no cut can open the piece.
     void open();
     void close();
 
     State state() const { return state_; }
     bool isOpen() const { return state_ != State::Closed; }
-    /// As it is before the cuts; null where closed.
+    /// The piece before its cuts; null if closed.
     const std::shared_ptr<const Piece>& piece() const { return question_.piece; }
-    /// As it is called.
+    /// The name of the piece.
     QString pieceName() const;
-    double fraction() const { return adviser_.fraction(); }
-    bool isSolving() const { return adviser_.isSolving(); }
-    /// Why nothing is known; mostly empty.
+    double fraction() const { return asking_.progress() ? asking_.progress()->fraction() : 0; }
+    bool isSolving() const { return !counts_.empty(); }
+    /// Why there are no proposals; usually empty.
     const QString& problem() const { return problem_; }
 
-    /// In the order in which they were advised, as moved by hand.
+    /// The proposals in their order, with moved handles.
     const CutAdvice& advice() const { return advice_; }
-    /// The same as cuts alone.
+    /// Only their cuts.
     const std::vector<UserCut>& lines() const { return lines_; }
     bool isTaken(std::size_t cut) const { return taken_[cut]; }
     void setTaken(std::size_t cut, bool taken);
     std::size_t takenCount() const;
-    /// Whether the predicted figures are about lines that have been moved since.
+    /// True if the line has moved since its figures were predicted.
     bool isStale(std::size_t cut) const { return cut >= staleFrom_; }
     const std::optional<std::size_t>& selected() const { return selected_; }
     void select(std::optional<std::size_t> cut);
 
-    /// The strain that is enough: the stated one, else the fabric's least limit where one is known.
+    /// The strain to stop at: the stated one, else the smaller limit of the fabric, if known.
     std::optional<double> enough() const { return question_.options.enoughStrain; }
     const std::optional<double>& statedEnough() const { return stated_; }
-    /// Ticks what is needed for it; nothing is searched for, and moved handles stay.
+    /// Ticks the cuts needed for it, without a new search; moved handles stay.
     void stateEnough(std::optional<double> strain);
     bool isFrontSwapped() const { return question_.options.isFrontSwapped; }
     void swapFront();
 
-    /// Makes those to be made, as one step of the history, and closes.
+    /// Applies the ticked cuts as one step of the history, and closes.
     void makeTaken();
-    /// Makes one alone, as a step of its own; the others stay.
+    /// Applies one cut as a step of its own; the other proposals stay.
     void make(std::size_t cut);
 
-    /// Moves handles; null where closed.
+    /// Moves handles; null if closed.
     const CutShaper* shaper() const { return shaper_.get(); }
-    /// What a drag begins with; each `moveTo` moves from there. @param point  of the cut
+    /// Begins a drag; each `moveTo` starts from there. @param point  of the cut
     void beginMove(std::size_t cut, int point);
     void moveTo(const Eigen::Vector3d& place);
     void endMove();
     void cancelMove();
     bool isMoving() const { return moving_.has_value(); }
     bool hasMoves() const { return !moves_.empty(); }
-    /// Takes the last move of a handle back. @return false where there is none
+    /// Undoes the last move of a handle. @return false if there is none
     bool takeMoveBack();
 
 signals:
-    /// There are proposals to be shown, or to be looked at again.
+    /// Show the proposals, or bring them to the front.
     void opened();
     void closed();
-    /// Other proposals, figures or lines, or others are to be made.
+    /// Proposals, figures, lines or ticks have changed.
     void changed();
-    /// Another one is selected.
+    /// The selection has changed.
     void selectionChanged();
 
 private:
@@ -104,18 +118,34 @@ private:
         bool hasMoved = false;
     };
 
+    /// The piece to flatten with the first `count` cuts made.
+    struct Trial {
+        std::shared_ptr<const std::pair<AdviceQuestion, CutAdvice>> cuts;
+        FlattenOptions options{};
+        std::size_t count = 0;
+
+        bool operator==(const Trial&) const = default;
+    };
+
     void onChanged(const DocumentChange& what);
     void follow();
     void ask(AdviceQuestion question);
     void take(const CutAdvice& advice);
     void put(const CutAdvice& advice);
-    /// Takes these lines over as those of the advice.
+    /// Makes these the lines of the proposals.
     void setLines(std::vector<UserCut> lines);
     void solve();
+    void solveNext();
+    void takeSolved(std::size_t count, const StrainFigures& figures);
+    void cancelSolving();
+    /// The parts of the piece get the names that the proposal has for them, when they exist.
+    void awaitParts();
+    /// In the same step of the history as the cuts.
+    void nameParts();
     void remove(std::size_t cut);
     bool isDeclined(const std::string& name) const;
     std::optional<double> fabricLimit() const;
-    /// The first that is not as it was advised.
+    /// The first line that was moved.
     std::size_t firstOther(const std::vector<UserCut>& lines) const;
 
     Workspace& workspace_;
@@ -125,19 +155,24 @@ private:
     std::optional<double> stated_;
     CutAdvice advice_;
     std::vector<UserCut> lines_;
-    std::vector<AdvisedCut> advised_;  ///< as they were before any handle was moved
+    std::vector<AdvisedCut> advised_;  ///< as proposed, before any handle was moved
     std::vector<char> taken_;
-    std::vector<std::string> declined_;  ///< names of those that are not to be made
+    std::vector<std::string> declined_;  ///< names of unticked ones
     std::optional<std::size_t> selected_;
     std::size_t staleFrom_ = 0;
     QString problem_;
     std::unique_ptr<CutShaper> shaper_;
     std::optional<Moving> moving_;
     std::vector<std::vector<UserCut>> moves_;  ///< the lines before each
-    std::size_t awaited_ = 0;  ///< cuts that were made here and are not in the garment yet
-    PartNaming names_;
+    std::size_t awaited_ = 0;                  ///< applied cuts that the garment does not have yet
+    PieceId cutPiece_{};                       ///< whose parts get names
+    std::function<std::string(const Piece&)> nameOf_;  ///< of a part; null: none is awaited
+    int gesture_ = -1;                                 ///< of the step that cut it
     QTimer soon_;
-    CutAdviser adviser_;
+    Trial trial_;
+    std::vector<std::size_t> counts_;  ///< to flatten, the next one first
+    Follower<AdviceQuestion, CutAdvice> asking_;
+    Follower<Trial, Result<StrainFigures>> solving_;
 };
 
 }  // namespace toile::app

@@ -11,26 +11,25 @@
 
 namespace toile::app {
 
-/// What is on its way to become the open garment, and whether it may take the place of what is open
-/// when it is there:
+/// A garment that is being read to replace the open one, and whether it may:
 ///
 ///     nothing ──begin──▶ being read ──arrive──▶ asked about ──yes──▶ open
 ///                             │ stop, begin         │ begin: the answer comes too late
 ///
-/// It is asked about only where the garment that is open was edited meanwhile.
+/// The user is asked only if the open garment was edited meanwhile.
 class Opening {
 public:
     using Paths = std::vector<std::filesystem::path>;
     using Next = std::function<void()>;
     using Ask = std::function<void(Next)>;
 
-    /// A job reads these.
+    /// Files that a job reads.
     struct Files {
         Paths paths;
         LoadOptions loading;
     };
 
-    /// Something is read in place of whatever was before; what, only the job knows.
+    /// Something unspecified is read; replaces what was read before.
     void begin() {
         files_.reset();
         active_ = true;
@@ -41,25 +40,25 @@ public:
         begin();
         files_ = std::move(files);
     }
-    /// Nothing comes.
+    /// Nothing is read any more.
     void stop() {
         files_.reset();
         active_ = false;
     }
     bool isActive() const { return active_; }
-    /// None where something else is read, or nothing.
+    /// None if something else is read, or nothing.
     std::optional<Files>& files() { return files_; }
     const std::optional<Files>& files() const { return files_; }
 
     void noteEdit() { edited_ = true; }
     void setAsk(Ask ask) { ask_ = std::move(ask); }
-    /// It is there. What is returned has to be called once nothing is on its way any more: it calls
-    /// `open`, at once or when the person has agreed, unless something else was begun meanwhile.
+    /// Reading has ended. Call the returned function when nothing is being read any more: it calls
+    /// `open`, at once or after the user agrees, unless something else was begun meanwhile.
     Next arrive(Next open) {
         stop();
         Next once = [this, open = std::move(open), number = number_] {
             if (number == number_) {
-                ++number_;  // an answer is good for one opening
+                ++number_;  // one answer opens only once
                 open();
             }
         };
@@ -72,8 +71,8 @@ public:
 private:
     std::optional<Files> files_;
     bool active_ = false;
-    bool edited_ = false;  ///< since it was begun
-    int number_ = 0;       ///< of what is read, or was last
+    bool edited_ = false;  ///< since `begin`
+    int number_ = 0;       ///< of the last `begin`
     Ask ask_;
 };
 

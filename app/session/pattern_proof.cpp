@@ -35,9 +35,9 @@ void PatternProof::begin() {
     if (!canProve()) {
         return;
     }
-    tray_ = std::make_shared<ProofTray>();
+    mailbox_ = std::make_shared<Mailbox<ShownProof>>();
     runner_.replace(
-        proofJob(document_, plan(), tray_, [this](std::shared_ptr<const ShownProof> found) {
+        proofJob(document_, plan(), mailbox_, [this](std::shared_ptr<const ShownProof> found) {
             document_.showProof(std::move(found));
             document_.showSewing(nullptr);
             fit();
@@ -48,11 +48,7 @@ void PatternProof::begin() {
 }
 
 void PatternProof::fetch() {
-    std::shared_ptr<const ShownProof> sewing;
-    {
-        const std::lock_guard lock(tray_->mutex);
-        sewing = std::exchange(tray_->sewing, nullptr);
-    }
+    auto sewing = mailbox_->take();
     if (sewing && sewing->ground.garment == document_.garment()) {
         document_.showSewing(std::move(sewing));
     }

@@ -4,14 +4,14 @@
 #include <utility>
 
 #include "app/base/text.h"
-#include "app/document/project_state.h"
+#include "app/jobs/file_jobs.h"
 #include "app/session/workspace.h"
 #include "app/text/error_text.h"
 
 namespace toile::app {
 namespace {
 
-constexpr int kMaxSentences = 4;  ///< that are read when a project is opened
+constexpr int kMaxSentences = 4;  ///< shown when a project is opened
 
 }  // namespace
 
@@ -33,7 +33,7 @@ bool ProjectSession::isModified() const {
 
 void ProjectSession::onNotSaved() {
     if (saving_ == opened_) {
-        workspace_.document().history().resetClean();  // it was no saving after all
+        workspace_.document().history().resetClean();  // it was not saved
     }
 }
 
@@ -126,17 +126,17 @@ void ProjectSession::save(const Path& path, std::function<void()> then, IfChange
             onNotSaved();
             if (of == opened_) {
                 emit changedByOthers(path, then);
-            } else {  // there is nothing left to ask about
+            } else {  // that garment is closed
                 emit failed(errorText({ErrorCode::FileUnwritable, Subject::file(path.string()),
                                        toile::worded("another program has changed it")}));
             }
         }));
-    // What is edited while the file is being written is not in it.
+    // Edits made while the file is written are not in it.
     document.history().setClean();
 }
 
 void ProjectSession::onSaved(const Path& path, int of) {
-    if (of == opened_) {  // else another garment has been opened meanwhile
+    if (of == opened_) {  // else another garment was opened meanwhile
         path_ = path;
         emit changed();
     }

@@ -15,8 +15,8 @@ namespace toile::app {
 
 class Workspace;
 
-/// The project file of the open garment: which it is, whether there is anything in the garment that
-/// is not in it, opening and saving. Without any widget. GUI thread only.
+/// The project file of the open garment: its path, unsaved changes, opening and saving. Without
+/// widgets. GUI thread only.
 class ProjectSession : public QObject {
     Q_OBJECT
 
@@ -27,46 +27,45 @@ public:
     /// `workspace` must outlive this.
     explicit ProjectSession(Workspace& workspace, QObject* parent = nullptr);
 
-    /// Empty where the garment has never been saved.
+    /// Empty if the garment has never been saved.
     const Path& path() const { return path_; }
-    /// Whether there is anything to lose: a step of the history that is not saved.
+    /// True if a step of the history is not saved.
     bool isModified() const;
-    /// Whether the file is being written.
+    /// True while the file is being written.
     bool isSaving() const { return saves_.isBusy() || saves_.hasWaiting(); }
-    /// For the title: the project's name, else the garment's.
+    /// For titles: the name of the project, or else of the garment.
     QString title() const;
 
-    /// Reads a project in place of what is open; that stays where it cannot be read. A recovery
-    /// file opens without a name: what it says it is of may be anything.
+    /// Opens a project; the open garment stays if it cannot be read. A recovery file opens without
+    /// a path, because the path that it names may be anything.
     void open(const Path& path);
-    /// Opens a recovery file of ours: as the project it was of, with unsaved changes.
+    /// Opens a recovery file of ours: as its project, with unsaved changes.
     void restore(const Path& recoveryFile, const std::function<void()>& done);
     enum class IfChanged { Ask, Overwrite };
 
     /// Writes the garment as it is now, whatever else is running; it counts as saved from now on.
     /// Requires an open garment.
-    /// @param then       called once it is written, and not where it could not be
-    /// @param ifChanged  what becomes of the file where another program has changed it since it was
-    ///                   read or written here: it stays, and `changedByOthers` tells
+    /// @param then       called when it is written, unless that fails
+    /// @param ifChanged  what to do if another program has changed the file since it was read or
+    ///                   written here: by default keep it and emit `changedByOthers`
     void save(const Path& path, std::function<void()> then = {},
               IfChanged ifChanged = IfChanged::Ask);
-    /// Calls it once what is being written is written, and not where that fails; at once where
-    /// nothing is.
+    /// Calls `then` when the file being written is written, unless that fails; at once if none is.
     void whenSaved(std::function<void()> then);
 
 signals:
-    /// Another file, or another answer of `isModified`.
+    /// Path or `isModified` has changed.
     void changed();
     void saved(const QString& path);
-    /// It was not saved: another program has changed the file.
-    /// @param then  what was to be done once it was saved; may be empty
+    /// Not saved: another program has changed the file.
+    /// @param then  to call when it is saved; may be empty
     void changedByOthers(const toile::app::ProjectSession::Path& path,
                          const std::function<void()>& then);
-    /// What a person should know of a project that has been opened.
+    /// Notes about an opened project for the user.
     void noticed(const QString& sentences);
     void failed(const QString& sentence);
-    /// The project was not opened: these files of it are not there.
-    /// @param retry  opens it with the places where they are found
+    /// The project was not opened: these of its files are missing.
+    /// @param retry  opens it with the places of the files
     void meshesMissing(const toile::app::ProjectSession::Path& project,
                        const std::vector<std::filesystem::path>& meshes,
                        const toile::app::ProjectSession::Retry& retry);
@@ -74,14 +73,14 @@ signals:
 private:
     void start(const Path& file, const FoundMeshes& found, bool restoring,
                const std::function<void()>& done);
-    /// @param moved  meshes are elsewhere than the file says
+    /// @param moved  meshes are not where the file says
     void onOpened(const Path& file, const OpenedProject& opened, bool restoring, bool moved);
     void onAnother();
-    /// What was taken for saved is not.
+    /// Saving has failed: the changes are unsaved again.
     void onNotSaved();
     void onSaved(const Path& path, int of);
 
-    /// What a project becomes when it is opened.
+    /// How a project is opened.
     struct OpeningAs {
         Path path;
         KnownFile known;
@@ -89,12 +88,12 @@ private:
 
     Workspace& workspace_;
     Path path_;
-    std::shared_ptr<KnownFile> known_ = std::make_shared<KnownFile>();  ///< what path_ held last
-    std::optional<OpeningAs> openingAs_;  ///< set while a project becomes the open document
+    std::shared_ptr<KnownFile> known_ = std::make_shared<KnownFile>();  ///< last content of path_
+    std::optional<OpeningAs> openingAs_;  ///< set while a project is being opened
     std::vector<std::function<void()>> afterSaving_;
     int opened_ = 0;   ///< garments opened so far
-    int saving_ = 0;   ///< of these the one that is being written
-    JobRunner saves_;  ///< apart from the others, which may take long
+    int saving_ = 0;   ///< the one that is being written
+    JobRunner saves_;  ///< its own, because other jobs may take long
 };
 
 }  // namespace toile::app

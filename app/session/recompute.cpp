@@ -31,7 +31,7 @@ void Recompute::setAutomatic(bool on) {
         flattening_ = Flattening::AsUsual;
     } else if (!on && flattening_ == Flattening::AsUsual && order_.extent.flatten &&
                jobs_.isUnderWay(ticket_)) {
-        flattening_ = Flattening::Wanted;  // what has begun continues
+        flattening_ = Flattening::Wanted;  // continue what has begun
     }
 }
 
@@ -42,7 +42,7 @@ void Recompute::retry() {
 }
 
 void Recompute::onOpened() {
-    // What was open before must leave no trace in another garment's results.
+    // The garment that was open before must not influence the results of another.
     flattener_ = newFlattener();
     noScene_ = false;
     flattening_ = document_.isFlattened() ? Flattening::AsUsual : Flattening::Wanted;
@@ -55,7 +55,7 @@ void Recompute::onChanged(const DocumentChange& what) {
     const bool isOverruled = automatic_ && flattening_ == Flattening::Declined &&
                              document_.revision() != order_.revision;
     if (document_.isFlattened() || isOverruled) {
-        flattening_ = Flattening::AsUsual;  // it has come, or a step has brought it back
+        flattening_ = Flattening::AsUsual;  // derived, or brought back by undo
     }
 }
 
@@ -93,7 +93,7 @@ void Recompute::catchUp() {
     if (!isDue(order_)) {
         return;
     }
-    // A job that has been given up may still have one thing to say.
+    // A dropped job may still call this.
     const auto isWanted = std::make_shared<JobRunner::Ticket>(0);
     const auto onGarment = [this, isWanted](Derivation made) {
         QMetaObject::invokeMethod(
@@ -126,17 +126,17 @@ void Recompute::take(Derivation made) {
             return;
         }
     }
-    if (!made.hasOtherGarment) {  // its seams may have got another ease meanwhile
+    if (!made.hasOtherGarment) {  // the ease of its seams may have changed meanwhile
         made.derived.inputs = document_.derived().inputs;
         made.derived.garment = document_.garment();
     }
     if (order_.extent.flatten && !made.motions.empty()) {
-        // More than has come there will not be.
+        // Flattening again would give no more results.
         flattening_ = app::isFlattened(made.derived, document_.state()) ? Flattening::AsUsual
                                                                         : Flattening::Declined;
     }
     if (order_.extent.settle && isWarm(made.derived)) {
-        notSettled_ = order_.revision;  // of older lines, say: asked again, it would be again
+        notSettled_ = order_.revision;  // for example of older lines: it would be warm again
     }
     SettingsById settings = settingsAfter(made, document_.state(), document_.settings());
     document_.show(std::move(made.derived), std::move(settings));
@@ -156,7 +156,7 @@ void Recompute::onStopped(bool failed) {
     } else if (order_.extent.settle) {
         notSettled_ = document_.revision();
     } else {
-        noScene_ = failed;  // else it is made again: something has to be shown
+        noScene_ = failed;  // otherwise make it again: something has to be shown
     }
     catchUp();
 }

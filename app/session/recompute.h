@@ -19,57 +19,56 @@ namespace toile::app {
 class Document;
 class DocumentChange;
 
-/// Works out what follows from the document's state, in one job, whenever part of it is missing.
-/// The garment always; whether it is flattened depends on the last request:
+/// Derives the results for the document's state, in one job, whenever part of them is missing. The
+/// garment is always made; whether it is flattened depends on the last request:
 ///
-///     as usual   flattened where that happens by itself, or where nothing is flat yet
-///     wanted     opened or asked for: flattened whatever is edited meanwhile, until it is flat
-///     declined   cancelled or failed: not flattened until something else is asked for
+///     as usual   flattened if that is automatic, or if nothing is flat yet
+///     wanted     opened or requested: flattened whatever is edited meanwhile, until it is flat
+///     declined   cancelled or failed: not flattened until something else is requested
 ///
-/// What is left out goes at once all the same. Warm results are shown at once, and cold ones take
-/// their place when nothing else is to be done. A garment that cannot be worked out takes the steps
-/// back that asked for it. GUI thread only.
+/// Pieces that are left out are removed at once in any case. Warm results are shown at once, and
+/// cold ones replace them when nothing else is to be done. If a garment cannot be made, the steps
+/// that asked for it are undone. GUI thread only.
 class Recompute : public QObject {
     Q_OBJECT
 
 public:
-    /// What is wrong with the garment that came of the state, so that it is not to be; the state is
-    /// then brought to what is to be in its place.
+    /// Why a new garment is refused, if it is; changes the state to the one that replaces it.
     using Objection = std::function<std::optional<Error>(const Garment&, DocumentState&)>;
 
-    /// Both must outlive this, and the jobs be over before it goes.
+    /// Both must outlive this. All jobs must have ended before this is destroyed.
     Recompute(Document& document, JobRunner& jobs);
     ~Recompute() override;
 
     void setObjection(Objection objection) { objection_ = std::move(objection); }
     bool isAutomatic() const { return automatic_; }
-    /// Whether what was edited is flattened by itself; at first it is.
+    /// True if edits are flattened automatically, as by default.
     void setAutomatic(bool on);
-    /// Nothing is flattened while it is held back; `catchUp` does it after that.
+    /// Suspends flattening; call `catchUp` afterwards.
     void setHeld(bool held) { isHeld_ = held; }
-    /// Flattening is wanted, of what is flat already too, and held back no longer.
+    /// Requests flattening, of flat pieces too, and ends its suspension.
     void want() {
         flattening_ = Flattening::Wanted;
         isHeld_ = false;
     }
-    /// What was declined is as usual again: a step has led back.
+    /// Resets a declined request: the user has undone a step.
     void retry();
-    /// Has begun what is due, and nothing else, unless it is on its way. Not while other jobs are
-    /// to change the state: it takes their place.
+    /// Begins what is due, unless it is running, and stops anything else. Do not call it while
+    /// other jobs change the state: it replaces them.
     void catchUp();
-    /// Other jobs take the place of what is on its way.
+    /// Other jobs replace the running one.
     void yield() { ticket_ = 0; }
-    /// To be called when a job was cancelled by the person, or has failed.
+    /// Call it when the user has cancelled a job, or it has failed.
     void onStopped(bool failed);
 
 signals:
-    /// What was asked for cannot be done, and why; it has been taken back.
+    /// The request is impossible, and why; it has been undone.
     void refused(const toile::Error& why);
 
 private:
     enum class Flattening { AsUsual, Wanted, Declined };
 
-    /// What a job is of: if that changes, another job is needed.
+    /// The task of a job: if that changes, another job is needed.
     struct Order {
         std::uint64_t revision = 0;
         RecomputeOrder extent{};
@@ -91,8 +90,8 @@ private:
     bool automatic_ = true;
     Flattening flattening_ = Flattening::AsUsual;
     bool isHeld_ = false;
-    bool noScene_ = false;                     ///< making one has failed, and would again
-    std::optional<std::uint64_t> notSettled_;  ///< revision that is not to be settled
+    bool noScene_ = false;                     ///< making a scene has failed, and would fail again
+    std::optional<std::uint64_t> notSettled_;  ///< revision that is not settled
     JobRunner::Ticket ticket_ = 0;
     Order order_;
 };

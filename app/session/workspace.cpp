@@ -18,8 +18,6 @@ namespace toile::app {
 Workspace::Workspace(QObject* parent) : QObject(parent) {
     proposals_ = std::make_unique<CutProposals>(*this);
     proof_ = std::make_unique<PatternProof>(document_, proving_);
-    // Cuts of what was open before.
-    connect(&document_, &Document::opened, &mirroring_, &JobRunner::cancel);
     connect(&document_, &Document::changed, this, &Workspace::onChanged);
     connect(&document_.history(), &QUndoStack::indexChanged, this, [this](int index) {
         opening_.noteEdit();
@@ -28,11 +26,14 @@ Workspace::Workspace(QObject* parent) : QObject(parent) {
             follow();
         }
     });
-    recompute_.setObjection(
-        [this](const Garment& garment, DocumentState& rest) { return objectionTo(garment, rest); });
-    connect(&recompute_, &Recompute::refused, this, &Workspace::sayRefused);
+    recompute_.setObjection([this](const Garment& garment, DocumentState& rest) {
+        return cuts_.objectionTo(garment, rest);
+    });
+    connect(&recompute_, &Recompute::refused, &cuts_, &CutEditor::refuse);
+    connect(&cuts_, &CutEditor::refused, this, &Workspace::refused);
+    connect(&cuts_, &CutEditor::noted, this, &Workspace::noted);
     connect(&reference_, &ReferenceFinder::paired, this, &Workspace::noted);
-    // A job that makes room for another says nothing about what is asked for now.
+    // A replaced job says nothing about the present request.
     connect(&jobs_, &JobRunner::failed, this,
             [this](const QString&, const QString&, bool replaced) {
                 if (!replaced) {
@@ -44,7 +45,7 @@ Workspace::Workspace(QObject* parent) : QObject(parent) {
             onStopped(false);
         }
     });
-    for (const JobRunner* makers : {&mirroring_, &jobs_}) {
+    for (const JobRunner* makers : {&cuts_.searches(), &jobs_}) {
         connect(makers, &JobRunner::started, this, &Workspace::followAge);
         connect(makers, &JobRunner::idle, this, &Workspace::followAge);
     }
@@ -62,28 +63,28 @@ Workspace::~Workspace() {
 
 void Workspace::shutdown() {
     proposals_->close();
-    mirroring_.shutdown();
+    cuts_.searches().shutdown();
     jobs_.shutdown();
     proving_.shutdown();
     writing_.finish();
 }
 
 bool Workspace::canUndo() const {
-    return mirroring_.lastUnderWay() != 0 || proposals_->hasMoves() ||
+    return cuts_.searches().lastUnderWay() != 0 || proposals_->hasMoves() ||
            document_.history().canUndo();
 }
 
 void Workspace::undo() {
-    if (const JobRunner::Ticket last = mirroring_.lastUnderWay()) {
-        mirroring_.drop(last);
+    if (const JobRunner::Ticket last = cuts_.searches().lastUnderWay()) {
+        cuts_.searches().drop(last);
     } else if (!proposals_->takeMoveBack()) {
         document_.history().undo();
     }
 }
 
 void Workspace::cancel() {
-    if (mirroring_.lastUnderWay()) {
-        mirroring_.cancel();
+    if (cuts_.searches().lastUnderWay()) {
+        cuts_.searches().cancel();
         return;
     }
     if (!jobs_.isBusy()) {
@@ -91,7 +92,7 @@ void Workspace::cancel() {
         return;
     }
     jobs_.cancel();
-    onStopped(false);  // what is asked for until the job has stopped is not cancelled with it
+    onStopped(false);  // requests made until the job stops are not cancelled with it
 }
 
 void Workspace::startReading(std::unique_ptr<Job> job) {
@@ -105,13 +106,13 @@ void Workspace::open(Paths files) {
     }
     const bool another = opening_.isActive() && !opening_.files();
     const Paths before = opening_.files() ? opening_.files()->paths : openPaths();
-    // What was asked for while another is read was about that.
+    // Settings changed while another garment is read belong to that one.
     Opening::Files coming{std::move(files), another ? document_.loading() : loading()};
     if (!before.empty() && coming.paths != before) {
-        coming.loading = {};  // all of it was stated for the garment before
+        coming.loading = {};  // stated for the garment before
     }
     if (document_.garment() && coming.paths == openPaths()) {
-        coming.loading.known = knownPieces(*document_.garment());  // they may have changed
+        coming.loading.known = knownPieces(*document_.garment());  // the files may have changed
     }
     forOpening_.clear();
     opening_.begin(std::move(coming));
@@ -122,7 +123,7 @@ void Workspace::startOpening() {
     emit loadingChanged();
     const Opening::Files& files = *opening_.files();
     startReading(importJob(files.paths, files.loading, [this](const Derived& made) {
-        // What was decided for one garment is not carried over to another.
+        // Settings of one garment do not apply to another.
         const bool again = opening_.files()->paths == openPaths();
         arrived([this, again, made] {
             const bool isAnother = document_.garment() && !again;
@@ -153,7 +154,6 @@ void Workspace::openBy(std::unique_ptr<Job> reading) {
 void Workspace::arrived(std::function<void()> open) {
     const Opening::Next next = opening_.arrive(
         [this, open = std::move(open), changes = std::exchange(forOpening_, {})]() mutable {
-            onTrial_.clear();
             open();
             for (LoadingChange& change : changes) {
                 changeLoading(std::move(change));
@@ -162,7 +162,7 @@ void Workspace::arrived(std::function<void()> open) {
         });
     emit loadingChanged();
     next();
-    follow();  // where it was not opened: the reading took the place of this
+    follow();  // not opened: the reading had replaced this
 }
 
 void Workspace::notOpened() {
@@ -185,9 +185,6 @@ void Workspace::follow() {
 }
 
 void Workspace::onChanged(const DocumentChange& what) {
-    if (document_.isCurrent()) {
-        onTrial_.clear();
-    }
     if (what.touches(&DocumentState::inputs)) {
         emit loadingChanged();
     }
@@ -199,7 +196,7 @@ void Workspace::onChanged(const DocumentChange& what) {
 
 PatternAge Workspace::patternAge() const {
     return !document_.garment() || document_.isFlattened() ? PatternAge::UpToDate
-           : mirroring_.isBusy() || jobs_.isBusy()         ? PatternAge::Renewed
+           : cuts_.searches().isBusy() || jobs_.isBusy()   ? PatternAge::Renewed
                                                            : PatternAge::OutOfDate;
 }
 
@@ -215,7 +212,7 @@ void Workspace::onStopped(bool failed) {
     } else if (!jobs_.isUnderWay(reading_)) {
         stopReading();
     }
-    follow();  // what this had taken the place of
+    follow();  // begin again what the job had replaced
 }
 
 template <class Value>
@@ -329,7 +326,7 @@ void Workspace::setCloseSlits(bool on) {
 
 void Workspace::changeLoading(LoadingChange change) {
     if (opening_.isActive() && !opening_.files()) {
-        // What the garment that comes will be like is not known before it is here.
+        // The coming garment is not known yet.
         forOpening_.push_back(std::move(change));
         return;
     }
@@ -349,7 +346,7 @@ void Workspace::changeLoading(LoadingChange change) {
     cutAlike.autoCut = before.autoCut;
     cutAlike.cutStyle = before.cutStyle;
     if (document_.garment() && document_.isCurrent() && !(cutAlike == before)) {
-        after.known = knownPieces(*document_.garment());  // they are divided again
+        after.known = knownPieces(*document_.garment());  // the files are divided again
     }
     DocumentState next = document_.state();
     next.inputs.loading = std::move(after);
@@ -416,18 +413,14 @@ void Workspace::openReference(const std::filesystem::path& path) {
     }
     startReading(referenceJob(path, [this](ReferenceFile read) {
         reading_ = 0;
-        DocumentState next = document_.state();
-        next.reference = std::move(read);
-        document_.setView(&ViewState::referencePanels, true);  // who opens it wants to see it
-        document_.edit(tr("Open reference pattern"), std::move(next));
+        document_.setView(&ViewState::referencePanels, true);  // show what was opened
+        document_.edit(tr("Open reference pattern"), &DocumentState::reference, std::move(read));
         follow();
     }));
 }
 
 void Workspace::closeReference() {
-    DocumentState next = document_.state();
-    next.reference = {};
-    document_.edit(tr("Close reference pattern"), std::move(next));
+    document_.edit(tr("Close reference pattern"), &DocumentState::reference, {});
 }
 
 }  // namespace toile::app

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -12,6 +13,7 @@
 #include "app/document/document.h"
 #include "app/jobs/job_runner.h"
 #include "app/jobs/reference_finder.h"
+#include "app/session/cut_editor.h"
 #include "app/session/opening.h"
 #include "app/session/recompute.h"
 #include "core/formats/drawing/drawing.h"
@@ -22,15 +24,14 @@ namespace toile::app {
 class CutProposals;
 class PatternProof;
 
-/// Whether the pattern is that of the garment: if not, whether an update is running.
+/// Whether the pattern is up to date with the garment; if not, whether an update is running.
 enum class PatternAge { UpToDate, Renewed, OutOfDate };
 
-/// What a person can ask of the open garment, without any widget: opening, cutting, flattening,
-/// writing. All that is asked for becomes a step of the document's history at once; what follows
-/// from it is worked out by one job (Recompute). Reading files comes before that: what is to be
-/// opened (Opening), or read again; steps of the history do not disturb it. A reading that is
-/// cancelled or fails leaves the garment as it was. Files are written beside all this. GUI thread
-/// only.
+/// Everything that the user can do with the open garment, without widgets: open, cut, flatten,
+/// write. Each request is one step of the document's history at once, and one job derives what
+/// follows from it (Recompute). Reading files comes first (Opening, `reload`): steps of the history
+/// do not disturb it, and if it is cancelled or fails, the garment stays. Files are written beside
+/// all this. GUI thread only.
 class Workspace : public QObject {
     Q_OBJECT
 
@@ -41,163 +42,116 @@ public:
     ~Workspace() override;
 
     Document& document() { return document_; }
-    /// The jobs that make the document what it is.
+    /// Jobs that read and derive the document.
     JobRunner& jobs() { return jobs_; }
-    /// Those that write files of it, as it was when they were begun: no edit touches them.
+    /// Jobs that write files of the document as it was when they began.
     JobRunner& writing() { return writing_; }
-    /// Those that find what mirrors the cuts that a person has drawn, one after the other.
-    JobRunner& mirroring() { return mirroring_; }
-    /// That which sews the pattern, as it was when it was begun.
+    /// The job that sews the pattern as it was when it began.
     JobRunner& proving() { return proving_; }
-    /// All of them.
-    std::vector<JobRunner*> runners() { return {&mirroring_, &jobs_, &proving_, &writing_}; }
-    bool isBusy() const {
-        return mirroring_.isBusy() || jobs_.isBusy() || proving_.isBusy() || writing_.isBusy();
-    }
-    /// The person wants what is running stopped: cuts that are not made yet, else what changes the
-    /// document, else what is sewn, else what is written.
+    /// All runners.
+    std::vector<JobRunner*> runners() { return {&cuts_.searches(), &jobs_, &proving_, &writing_}; }
+    bool isBusy() { return std::ranges::any_of(runners(), &JobRunner::isBusy); }
+    /// Cancels searches for cuts, else jobs that change the document, else sewing, else writing.
     void cancel();
-    /// Takes the last step back; where cuts are not made yet, the last of these; where proposed
-    /// cuts were moved, the last move.
+    /// Undoes the last request: the last cut that is still searched for, else the last moved handle
+    /// of a proposed cut, else the last step.
     void undo();
     bool canUndo() const;
-    /// Calls it once what is being written is written, and not where that fails; at once where
-    /// nothing is. A later call takes the place of an earlier one.
+    /// Calls `then` when all files are written, unless that fails; at once if none is being
+    /// written. A later call replaces an earlier one.
     void whenWritten(std::function<void()> then);
-    /// Cancels, writes to the end and waits: nothing is heard of the jobs any more.
+    /// Cancels all jobs, finishes writing and waits; nothing is announced any more.
     void shutdown();
-    /// How files are read, divided and cut; of those that are being read, if any are.
+    /// True while another garment is being read to replace the open one.
+    bool isOpening() const { return opening_.isActive(); }
+    /// How files are read, divided and cut; for the files that are being read, if any.
     const LoadOptions& loading() const;
-    /// The files of the document's garment.
+    /// A change of how files are read, divided and cut.
+    struct LoadingChange {
+        QString text;
+        std::function<void(LoadOptions&)> change;
+        int gesture = -1;  ///< as for Document::edit
+    };
+    void changeLoading(LoadingChange change);
+    /// Files of the open garment.
     Paths openPaths() const;
 
-    /// Reads the files as one garment and flattens it. Whatever ran before is cancelled. Files
-    /// other than those before begin anew: the unit, the up axis, what the files are, cuts and ease
-    /// that were stated, and what automatic cuts were told, were said about another garment.
+    /// Reads the files as one garment and flattens it. Cancels whatever is running. If the files
+    /// are others than before, settings of reading start afresh: unit, up axis, kind of files,
+    /// cuts, ease, and automatic cuts belong to the garment before.
     void open(Paths files);
-    /// How the lines of garments that are opened from now on are drawn; a project says so itself.
+    /// How lines of newly opened garments are drawn; projects have their own setting.
     void setNewLines(LineSettings lines) { newLines_ = std::move(lines); }
-    /// Runs a job that reads what is to be opened and, when it is done, calls one of the two that
-    /// follow. Whatever ran before is cancelled; changes of the reading wait until it is open.
+    /// Runs a job that reads a garment and then calls one of the next two functions. Cancels
+    /// whatever is running; changes of the reading wait until it is open.
     void openBy(std::unique_ptr<Job> reading);
-    /// @param open  makes what was read the document; called at once, or not before the person has
-    ///              agreed to lose what was edited while it was read (`askBeforeLeaving`)
+    /// @param open  opens what was read; called at once, or after the user agrees to lose edits
+    ///              made while it was read (`askBeforeLeaving`)
     void arrived(std::function<void()> open);
     void notOpened();
-    /// What asks whether the open garment may go, and calls its argument where it may.
+    /// Sets the question whether the open garment may be closed; it calls its argument if so.
     void askBeforeLeaving(Opening::Ask ask) { opening_.setAsk(std::move(ask)); }
-    /// Reads the open garment's files again, as they are on the disk now.
+    /// Reads the open garment's files again from the disk.
     void reload();
     /// Reads an open garment again with these options.
     void setLoading(LoadOptions loading);
-    /// Unit of the files; none: guessed. Reads an open garment again where that is a change.
+    /// Unit of the files; none: guessed. Reads an open garment again if that is a change.
     void setUnit(std::optional<FileUnit> unit);
     /// The axis that points up in the files; none: guessed. As setUnit.
     void setUpAxis(std::optional<UpAxis> up);
-    /// What the files are, and what is done with them before. As setUnit.
+    /// The kind of the files, and how they are prepared. As setUnit.
     void setPreparing(Preparation preparing);
-    /// The same while a person tries values: one step of the history. @param gesture  as for
+    /// The same while the user tries values: one step of the history. @param gesture  as for
     /// Document::edit
     void tryPreparing(Preparation preparing, int gesture);
-    /// By what files are divided. As setUnit.
+    /// How files are divided into pieces. As setUnit.
     void setSplit(SplitMode split);
-    /// Whether pieces that are no disks are cut open. As setUnit.
+    /// Whether pieces that are not disks are cut open. As setUnit.
     void setAutoCut(bool on);
-    /// As tailors do also makes automatic cuts where there were none.
+    /// The style of automatic cuts; styles of tailors switch automatic cuts on.
     void setCutStyle(CutStyle style);
-    /// Whether vertices that lie on each other are joined. As setUnit.
+    /// Whether coincident vertices are joined. As setUnit.
     void setWeld(bool on);
-    /// Whether both sides of the slits inside pieces are made one. As setUnit.
+    /// Whether slits inside pieces are closed. As setUnit.
     void setCloseSlits(bool on);
-    /// Changes cuts and joins; pieces that no change touches stay as they are, flat or not.
-    /// @param text  what was done, for the undo menu
-    void changeSeams(const QString& text, std::function<void(SeamsFile&)> change, int gesture = -1);
-    /// Reads the pattern that the pieces are to be compared with, and shows it over them. Nothing
-    /// changes where it cannot be read, where nothing is open, or while something is being opened.
+    /// Reads the reference pattern and shows it over the pieces. Nothing changes if it cannot be
+    /// read, if nothing is open, or while something is being opened.
     /// @param path  absolute
     void openReference(const std::filesystem::path& path);
-    /// Compares with no pattern any more.
+    /// Removes the reference pattern.
     void closeReference();
-    /// Takes cuts and ease from a seams file. Nothing changes where it cannot be read.
-    /// @return notes: what of it is not known
-    Result<Problems> readSeams(const std::filesystem::path& path);
-    /// Writes the cuts and the ease that were stated as a seams file.
-    Result<void> writeSeams(const std::filesystem::path& path) const;
-    /// Makes a cut, the name aside, which it gets here: "cut 3", "dart 1". One that turns out to be
-    /// impossible, or to open nothing, is `refused` and leaves no step. Where edits are mirrored
-    /// its mirror image is made in the same step: both, or neither where one of them cannot be.
-    /// What has no mirror image, or none that is known, is made alone, and that is `noted`.
-    /// On a large garment the image is found on another thread, and the cut made when it is there:
-    /// in the order in which cuts were asked for, whatever is edited meanwhile.
-    /// @param cut    its points in mm, as the pieces are
-    /// @param piece  that it is drawn on, for the words of the history
-    /// @param text   what is done, with %1 for the piece; empty: the usual words
-    void addCut(UserCut cut, std::optional<int> piece = {}, const QString& text = {});
-    /// Cuts these pieces open where they cannot lie flat (`openingCuts`): the cuts are the person's
-    /// from then on. What cannot be opened is `refused`. On large pieces they are found on another
-    /// thread.
-    void cutOpen(const std::vector<int>& pieces);
-    /// Cuts that Toile proposes, while a person looks at them.
+    /// The cuts and joins that the user asks for.
+    CutEditor& cuts() { return cuts_; }
+    /// The cuts that Toile proposes.
     CutProposals& proposals() { return *proposals_; }
-    /// The pattern sewn back together.
+    /// Proofs of the pattern.
     PatternProof& proof() { return *proof_; }
-    /// Makes cuts as one step of the history: the person's from then on. They keep their names, but
-    /// for a number where another cut has it. Those that cannot be made are `refused`.
-    /// @param cuts  their points in mm, as the pieces are
-    /// @param gesture  as for Document::edit
-    void makeCuts(const QString& text, std::vector<UserCut> cuts, int gesture = -1);
-    /// Cuts once around the tube at a place of a piece (`loopAround`), made as by `addCut`. Where
-    /// there is none it is `refused`. On large pieces it is found on another thread.
-    void cutAround(int piece, const SurfacePoint& place);
-    /// Lets a dart go on as a seam, by a cut from its tip to the outline (`cutBeyondDart`), made as
-    /// by `addCut`. What points at no edge is `refused`.
-    /// @param seam an index into Garment::seams
-    void dartToSeam(int seam);
-    /// Whether a seam is one that a cut made of a dart.
-    bool isSeamOfDart(int seam) const;
-    /// Takes that cut back: the dart is there again.
-    void seamToDart(int seam);
-    /// Joins the cloth on both sides of a seam: a cut of the user's is taken back, two pieces that
-    /// the garment's division made become one. What cannot be is `refused`: the edge of a hem, a
-    /// cut of Toile's own, sides that do not fit vertex by vertex.
-    /// @param seam an index into Garment::seams
-    void joinSeam(int seam);
-    /// Takes a cut of the user's back; where edits are mirrored its mirror image too, as does
-    /// joining the seam that it made.
-    void removeCut(CutId id);
-    /// Takes a join back, the first of this name: the seam is there again.
-    void removeJoin(const std::string& name);
-    /// Says how much longer a seam's left side is meant to be, as a part of the right; none: as
-    /// the 3D lengths have it. Nothing is read or flattened again; a later reading keeps it.
-    void setEase(int seam, std::optional<double> ease);
     void setMethod(Method method);
     void setQuality(Quality quality);
     void setBoundarySolver(BoundarySolver solver);
 
-    /// Flattens all pieces, those that are flat already too. While a garment is being read or cut,
-    /// flattening follows by itself.
+    /// Flattens all pieces again. While a garment is being read or cut, that follows automatically.
     void flattenAgain();
-    /// Whether edits are followed by a flattening of what they changed; on at first. Opening is
-    /// always.
+    /// Whether edits are flattened automatically, as by default. Opened garments always are.
     void setAutoFlatten(bool on);
     bool autoFlatten() const { return recompute_.isAutomatic(); }
-    /// Holds flattening back while a person tries values that change the whole garment, until it is
-    /// let go, or asked for.
+    /// Suspends flattening while the user tries values that change the whole garment, until it is
+    /// resumed or requested.
     void holdFlattening(bool held);
-    /// How the pattern stands to what was edited since.
+    /// Whether the pattern is up to date.
     PatternAge patternAge() const;
-    /// True where there are results to write, and a flat piece among them.
+    /// True if there are results to write, with a flat piece among them.
     bool canExport() const;
-    /// Writes the pattern as it is now, whatever is edited meanwhile; several one after the other.
-    /// Requires canExport. The ending chooses the format.
-    /// @param only  the pieces that are written; none: all, here and in the two below
+    /// Writes the pattern as it is now; several files one after the other. Requires canExport. The
+    /// ending of the path chooses the format.
+    /// @param only  the pieces to write; none: all, here and in the two functions below
     void exportTo(const std::filesystem::path& path, const ExportOptions& options = {},
                   const Document::Selection& only = {});
-    /// The beginning of the file as it would be written now. Requires canExport.
+    /// The beginning of the file that would be written now. Requires canExport.
     JobRunner::Ticket beginFile(FormatId format, const ExportOptions& options,
                                 const Document::Selection& only,
                                 std::function<void(const std::string&)> done);
-    /// Draws it as files and paper would have it. Requires canExport.
+    /// Draws the pattern as in files and on paper. Requires canExport.
     JobRunner::Ticket drawPattern(std::function<void(std::shared_ptr<const DrawnPattern>)> done,
                                   const Document::Selection& only = {});
 
@@ -206,69 +160,25 @@ signals:
     void patternAged(toile::app::PatternAge age);
     /// `loading` has changed.
     void loadingChanged();
-    /// @param checked  what reading it again has found, for a person; may be empty
+    /// @param checked  the result of reading the file back; may be empty
     void exported(const QString& path, const QString& checked);
-    /// What was asked for cannot be done, and why; nothing has changed.
+    /// The request is impossible, and why; nothing has changed.
     void refused(const QString& sentence);
-    /// Something was done otherwise than might be expected.
+    /// Something was done differently than might be expected.
     void noted(const QString& sentence);
 
 private:
-    /// A cut or a join that was drawn by hand.
-    struct Trial {
-        std::string name;
-        std::string image{};  ///< the mirror image that was made of it; or empty
-    };
-
-    /// A cut, and the garment that it was drawn on.
-    struct DrawnCut {
-        UserCut cut;
-        std::shared_ptr<const Garment> garment;
-        SeamsFile seams{};  ///< that say the unit of the file
-        PieceResults results{};
-        std::shared_ptr<const Symmetry> symmetry{};  ///< null: none is known
-        bool isMirrored = false;
-        QString text{};  ///< what is done
-
-        std::optional<UserCut> image(const Progress& progress = Progress()) const;
-    };
-
-    /// A change of how files are read, divided and cut.
-    struct LoadingChange {
-        QString text;
-        std::function<void(LoadOptions&)> change;
-        int gesture = -1;  ///< as for Document::edit
-    };
-
     void startOpening();
     void startReading(std::unique_ptr<Job> job);
-    /// Nothing is read any more: the garment is as it was.
+    /// Stops reading; the garment stays.
     void stopReading();
     bool isReading() const { return opening_.isActive() || jobs_.isUnderWay(reading_); }
-    /// Works out what is not there, unless something is being read.
+    /// Derives missing results, unless something is being read.
     void follow();
     void followAge();
 
-    /// Without cuts there is nothing to divide by.
-    static void divideByWhatIsThere(LoadOptions& loading);
-    void changeLoading(LoadingChange change);
     template <class Value>
     void setLoadingField(const QString& text, Value LoadOptions::*field, const Value& value);
-    std::optional<Error> objectionTo(const Garment& garment, DocumentState& rest);
-    void sayRefused(const Error& why);
-    void makeCut(const DrawnCut& drawn, std::optional<UserCut> image);
-    /// That makes a seam of a dart.
-    std::optional<CutId> cutBeyond(int seam) const;
-    /// Finds cuts in pieces of the garment, at once where that is quick.
-    /// @param find  `Result<std::vector<UserCut>>(Progress&)`; holds what it looks at
-    void findCuts(const QString& text, bool isQuick,
-                  std::function<Result<std::vector<UserCut>>(Progress&)> find,
-                  std::function<void(std::vector<UserCut>)> found);
-    /// What was searched for is of a garment that is no more.
-    void sayOvertaken();
-    /// Takes cuts in, named, as one step; those that cannot be made are refused.
-    void takeCuts(const QString& text, std::vector<UserCut> cuts);
-    std::function<void(SeamsFile&)> removalOf(std::vector<CutId> cuts) const;
 
     template <class Value>
     void setOption(const QString& text, Value FlattenOptions::*field, Value value);
@@ -276,19 +186,18 @@ private:
     void onStopped(bool failed);
 
     Document document_;
-    JobRunner mirroring_, jobs_, proving_, writing_;
+    JobRunner jobs_, proving_, writing_;
     std::function<void()> afterWriting_;
     Recompute recompute_{document_, jobs_};
     ReferenceFinder reference_{document_};
     Opening opening_;
+    CutEditor cuts_{*this};
     LineSettings newLines_{};
-    /// For what is being opened, where that is not known before it is there.
+    /// Changes for a garment that is being opened by `openBy`.
     std::vector<LoadingChange> forOpening_;
-    std::vector<Trial> onTrial_;  ///< until it has turned out that they can be
-    bool isImageRefused_ = false;
     JobRunner::Ticket reading_ = 0;
     int step_ = 0;                           ///< of the history
-    PatternAge age_ = PatternAge::UpToDate;  ///< as it was told last
+    PatternAge age_ = PatternAge::UpToDate;  ///< as announced last
     std::unique_ptr<CutProposals> proposals_;
     std::unique_ptr<PatternProof> proof_;
 };

@@ -5,7 +5,6 @@
 
 #include "app/base/text.h"
 #include "app/document/document.h"
-#include "app/document/names.h"
 #include "app/render/scene.h"
 #include "app/text/figures.h"
 #include "app/text/seam_fit.h"

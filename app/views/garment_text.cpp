@@ -8,7 +8,6 @@
 #include <array>
 
 #include "app/document/document.h"
-#include "app/document/names.h"
 #include "app/render/picking.h"
 #include "app/render/render_style.h"
 #include "app/render/scene.h"

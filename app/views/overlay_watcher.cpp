@@ -25,16 +25,19 @@ bool isSmall(const OverlayQuestion& question) {
 OverlayWatcher::OverlayWatcher(Document& document, QObject* parent, const Work& work)
     : QObject(parent),
       document_(document),
-      answerer_(work, isSmall, [this](Attempt<OverlayFigures> made, const auto&, bool isLast) {
-          if (!made.answer) {
-              emit failed(faultText(made.fault));
-          }
-          OverlayFigures found = made.answer ? std::move(*made.answer) : figures_;
-          // Show older answers for the same overlay too, so that a long drag also gets updates.
-          if (isLast || isOfTheSame(found)) {
-              show(std::move(found));
-          }
-      }) {
+      follower_(
+          work,
+          [this](Attempt<OverlayFigures> made, const auto&, bool isLast) {
+              if (!made.answer) {
+                  emit failed(faultText(made.fault));
+              }
+              OverlayFigures found = made.answer ? std::move(*made.answer) : figures_;
+              // Show older answers for the same overlay too, so that a long drag also gets updates.
+              if (isLast || isOfTheSame(found)) {
+                  show(std::move(found));
+              }
+          },
+          isSmall) {
     connect(&document_, &Document::changed, this, &OverlayWatcher::ask);
     ask();
 }
@@ -44,8 +47,8 @@ void OverlayWatcher::ask() {
         document_.scene(), placesOf(document_.settings(), {}, document_.state().materials),
         document_.fabric(), document_.view().overlay,
         isOfProof(document_.view().overlay) ? sewnOf(document_) : nullptr};
-    answerer_.ask(question);
-    if (answerer_.isBusy()) {
+    follower_.ask(question);
+    if (follower_.isBusy()) {
         // Overlay and scale need no computation.
         if (OverlayFigures first = firstFigures(question); !isOfTheSame(first)) {
             show(std::move(first));

@@ -25,7 +25,7 @@ public:
     /// Overlay and scale always match the document. While `isUpToDate` is false, histogram and
     /// spots may be missing or belong to an earlier grain.
     const OverlayFigures& figures() const { return figures_; }
-    bool isUpToDate() const { return !answerer_.isBusy(); }
+    bool isUpToDate() const { return !follower_.isBusy(); }
 
 signals:
     void changed();
@@ -40,7 +40,7 @@ private:
 
     Document& document_;
     OverlayFigures figures_;
-    Answerer<OverlayQuestion, OverlayFigures> answerer_;
+    Follower<OverlayQuestion, OverlayFigures> follower_;
 };
 
 }  // namespace toile::app

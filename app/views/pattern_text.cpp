@@ -13,7 +13,6 @@
 
 #include "app/document/document.h"
 #include "app/document/layout.h"
-#include "app/document/names.h"
 #include "app/document/piece_edits.h"
 #include "app/render/picking.h"
 #include "app/render/render_style.h"

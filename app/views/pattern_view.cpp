@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "app/document/document.h"
-#include "app/document/names.h"
 #include "app/render/pattern_renderer.h"
 #include "app/render/picking.h"
 #include "app/render/render_style.h"

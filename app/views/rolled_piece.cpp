@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/document/document.h"
-#include "app/document/notch_edits.h"
+#include "app/document/line_edits.h"
 #include "app/render/colour_map.h"
 #include "app/render/render_style.h"
 #include "app/views/tool.h"

@@ -111,9 +111,10 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
             });
     connect(pieces_, &PiecesPanel::activated, &views_, &ViewArea::frameSelection);
     connect(seams_, &SeamsPanel::activated, &views_, &ViewArea::frameSeam);
-    connect(seams_, &SeamsPanel::easeWanted, &workspace, &Workspace::setEase);
-    connect(seams_, &SeamsPanel::cutRemovalWanted, &workspace, &Workspace::removeCut);
-    connect(seams_, &SeamsPanel::joinRemovalWanted, &workspace, &Workspace::removeJoin);
+    connect(seams_, &SeamsPanel::easeWanted, this,
+            [this](int seam, std::optional<double> ease) { document_.setSeamEase(seam, ease); });
+    connect(seams_, &SeamsPanel::cutRemovalWanted, &workspace.cuts(), &CutEditor::remove);
+    connect(seams_, &SeamsPanel::joinRemovalWanted, &workspace.cuts(), &CutEditor::removeJoin);
     connect(fabric_, &FabricPanel::pieceActivated, &views_, &ViewArea::frameSelection);
     connect(problems_, &ProblemsPanel::countChanged, this, [this](int count) {
         dock(Panel::ProblemList)

@@ -7250,6 +7250,121 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
 </context>
 <context>
+    <name>toile::app::CutEditor</name>
+    <message>
+        <source>Cut dart</source>
+        <translation>Abnäher schneiden</translation>
+    </message>
+    <message>
+        <source>Cut dart in %1</source>
+        <translation>Abnäher in %1 schneiden</translation>
+    </message>
+    <message>
+        <source>dart</source>
+        <translation>Abnäher</translation>
+    </message>
+    <message>
+        <source>Cut closed loop</source>
+        <translation>Geschlossenen Schnitt schneiden</translation>
+    </message>
+    <message>
+        <source>Cut closed loop in %1</source>
+        <translation>Geschlossenen Schnitt in %1 schneiden</translation>
+    </message>
+    <message>
+        <source>loop</source>
+        <translation>Ausschnitt</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Einschneiden</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>Einschnitt in %1</translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Remove cut</source>
+        <translation>Einschnitt entfernen</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>It is the mirror image of your cut. To cut one side only, switch off Tools ▸ Mirror edits.</source>
+        <translation>Es ist das Spiegelbild Ihres Schnitts. Um nur eine Seite zu schneiden, schalten Sie Werkzeuge ▸ Änderungen spiegeln aus.</translation>
+    </message>
+    <message>
+        <source>Load seams file</source>
+        <translation>Nahtdatei laden</translation>
+    </message>
+    <message>
+        <source>Finding the mirror image of a cut</source>
+        <translation>Das Spiegelbild eines Schnitts wird gesucht</translation>
+    </message>
+    <message>
+        <source>Cut on this side only: there is no mirror image, or a seam is there already.</source>
+        <translation>Nur auf dieser Seite geschnitten: Es gibt kein Spiegelbild, oder dort ist schon eine Naht.</translation>
+    </message>
+    <message>
+        <source>Cut on this side only: no mirror plane was found.</source>
+        <translation>Nur auf dieser Seite geschnitten: Es wurde keine Spiegelebene gefunden.</translation>
+    </message>
+    <message>
+        <source>%1 on both sides</source>
+        <translation>%1 auf beiden Seiten</translation>
+    </message>
+    <message>
+        <source>The garment changed before the cut was found. Cut again.</source>
+        <translation>Das Kleidungsstück wurde geändert, bevor der Schnitt gefunden war. Schneiden Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Finding cuts</source>
+        <translation>Schnitte werden gesucht</translation>
+    </message>
+    <message>
+        <source>Cut open</source>
+        <translation>Aufschneiden</translation>
+    </message>
+    <message>
+        <source>Finding a closed loop</source>
+        <translation>Ein geschlossener Schnitt wird gesucht</translation>
+    </message>
+    <message>
+        <source>Turn dart in %1 into seam</source>
+        <translation>Abnäher in %1 zur Naht machen</translation>
+    </message>
+    <message>
+        <source>%1 cannot become a seam: its tip points at no edge of its piece.</source>
+        <translation>%1 kann keine Naht werden: Die Spitze zeigt auf keine Kante des Schnittteils.</translation>
+    </message>
+    <message>
+        <source>Turn %1 into dart</source>
+        <translation>%1 zum Abnäher machen</translation>
+    </message>
+    <message>
+        <source>%1 is a free edge, so it cannot be joined.</source>
+        <translation>%1 ist eine freie Kante und lässt sich nicht verbinden.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be joined: Toile cut %2 open there so that it lies flat. Switch off Garment ▸ Cut open automatically, or draw your own cut.</source>
+        <translation>%1 lässt sich nicht verbinden: Toile hat %2 dort aufgeschnitten, damit es flach liegt. Schalten Sie Kleidungsstück ▸ Von selbst aufschneiden aus, oder zeichnen Sie einen eigenen Schnitt.</translation>
+    </message>
+    <message>
+        <source>Join %1</source>
+        <translation>%1 verbinden</translation>
+    </message>
+    <message>
+        <source>Remove join %1</source>
+        <translation>Verbindung %1 entfernen</translation>
+    </message>
+</context>
+<context>
     <name>toile::app::CutProposals</name>
     <message>
         <source>Cut along %1</source>
@@ -10487,38 +10602,6 @@ Klicken, um die Einheit zu wählen oder die Höhe des Kleidungsstücks einzugebe
         <translation>Neu laden</translation>
     </message>
     <message>
-        <source>Cut</source>
-        <translation>Einschnitt</translation>
-    </message>
-    <message>
-        <source>%1 on both sides</source>
-        <translation>%1 auf beiden Seiten</translation>
-    </message>
-    <message>
-        <source>dart</source>
-        <translation>Abnäher</translation>
-    </message>
-    <message>
-        <source>loop</source>
-        <translation>Ausschnitt</translation>
-    </message>
-    <message>
-        <source>cut</source>
-        <translation>Schnitt</translation>
-    </message>
-    <message>
-        <source>Cut %1</source>
-        <translation>Einschnitt in %1</translation>
-    </message>
-    <message>
-        <source>Join %1</source>
-        <translation>%1 verbinden</translation>
-    </message>
-    <message>
-        <source>Cut open</source>
-        <translation>Aufschneiden</translation>
-    </message>
-    <message>
         <source>Change method</source>
         <translation>Verfahren ändern</translation>
     </message>
@@ -10565,86 +10648,6 @@ Klicken, um die Einheit zu wählen oder die Höhe des Kleidungsstücks einzugebe
     <message>
         <source>Close reference pattern</source>
         <translation>Referenzschnitt schließen</translation>
-    </message>
-    <message>
-        <source>Cut dart</source>
-        <translation>Abnäher schneiden</translation>
-    </message>
-    <message>
-        <source>Cut dart in %1</source>
-        <translation>Abnäher in %1 schneiden</translation>
-    </message>
-    <message>
-        <source>Cut closed loop</source>
-        <translation>Geschlossenen Schnitt schneiden</translation>
-    </message>
-    <message>
-        <source>Cut closed loop in %1</source>
-        <translation>Geschlossenen Schnitt in %1 schneiden</translation>
-    </message>
-    <message>
-        <source>Remove cut</source>
-        <translation>Einschnitt entfernen</translation>
-    </message>
-    <message>
-        <source>Remove %1</source>
-        <translation>%1 entfernen</translation>
-    </message>
-    <message>
-        <source>It is the mirror image of your cut. To cut one side only, switch off Tools ▸ Mirror edits.</source>
-        <translation>Es ist das Spiegelbild Ihres Schnitts. Um nur eine Seite zu schneiden, schalten Sie Werkzeuge ▸ Änderungen spiegeln aus.</translation>
-    </message>
-    <message>
-        <source>Load seams file</source>
-        <translation>Nahtdatei laden</translation>
-    </message>
-    <message>
-        <source>Finding the mirror image of a cut</source>
-        <translation>Das Spiegelbild eines Schnitts wird gesucht</translation>
-    </message>
-    <message>
-        <source>Cut on this side only: there is no mirror image, or a seam is there already.</source>
-        <translation>Nur auf dieser Seite geschnitten: Es gibt kein Spiegelbild, oder dort ist schon eine Naht.</translation>
-    </message>
-    <message>
-        <source>Cut on this side only: no mirror plane was found.</source>
-        <translation>Nur auf dieser Seite geschnitten: Es wurde keine Spiegelebene gefunden.</translation>
-    </message>
-    <message>
-        <source>The garment changed before the cut was found. Cut again.</source>
-        <translation>Das Kleidungsstück wurde geändert, bevor der Schnitt gefunden war. Schneiden Sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>Finding cuts</source>
-        <translation>Schnitte werden gesucht</translation>
-    </message>
-    <message>
-        <source>Finding a closed loop</source>
-        <translation>Ein geschlossener Schnitt wird gesucht</translation>
-    </message>
-    <message>
-        <source>Turn dart in %1 into seam</source>
-        <translation>Abnäher in %1 zur Naht machen</translation>
-    </message>
-    <message>
-        <source>%1 cannot become a seam: its tip points at no edge of its piece.</source>
-        <translation>%1 kann keine Naht werden: Die Spitze zeigt auf keine Kante des Schnittteils.</translation>
-    </message>
-    <message>
-        <source>Turn %1 into dart</source>
-        <translation>%1 zum Abnäher machen</translation>
-    </message>
-    <message>
-        <source>%1 is a free edge, so it cannot be joined.</source>
-        <translation>%1 ist eine freie Kante und lässt sich nicht verbinden.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be joined: Toile cut %2 open there so that it lies flat. Switch off Garment ▸ Cut open automatically, or draw your own cut.</source>
-        <translation>%1 lässt sich nicht verbinden: Toile hat %2 dort aufgeschnitten, damit es flach liegt. Schalten Sie Kleidungsstück ▸ Von selbst aufschneiden aus, oder zeichnen Sie einen eigenen Schnitt.</translation>
-    </message>
-    <message>
-        <source>Remove join %1</source>
-        <translation>Verbindung %1 entfernen</translation>
     </message>
 </context>
 </TS>

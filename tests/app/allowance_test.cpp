@@ -13,7 +13,7 @@
 #include "app/document/layout.h"
 #include "app/document/line_facts.h"
 #include "app/document/mirrored_edits.h"
-#include "app/document/project_state.h"
+#include "app/jobs/file_jobs.h"
 #include "app/render/render_style.h"
 #include "app/render/scene.h"
 #include "app/render/scene_renderer.h"

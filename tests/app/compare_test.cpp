@@ -304,7 +304,7 @@ private slots:
         while (document().garment()->seams.seams[std::size_t(seam)].kind == SeamKind::Free) {
             ++seam;
         }
-        workspace().setEase(seam, 0.1);
+        document().setSeamEase(seam, 0.1);
         QTRY_VERIFY_WITH_TIMEOUT(
             cell("Seam Δ, mm", 0) != before && !cell("Seam Δ, mm", 3).isEmpty(), test::kPatience);
         QCOMPARE(entry(3).made.result, solved);

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "app/document/line_edits.h"
-#include "app/document/project_state.h"
+#include "app/jobs/file_jobs.h"
 #include "app/widgets/number_edits.h"
 #include "core/pattern/darts.h"
 #include "core/pattern/pattern.h"
@@ -58,7 +58,7 @@ private:
 
     void openDart() {
         openSheets();
-        fixture_.workspace().addCut({"", UserCut::Kind::Dart, {{103, 0, 0}, {103, 62, 0}}});
+        fixture_.workspace().cuts().add({"", UserCut::Kind::Dart, {{103, 0, 0}, {103, 62, 0}}});
         QVERIFY(QTest::qWaitFor([this] { return document().garment()->cuts.size() == 1; },
                                 test::kPatience));
         QVERIFY(waitForPieces(2));
@@ -128,7 +128,7 @@ private slots:
     void legsReachAsFarAsTheyAreLongInThePattern() {
         openDart();
         const int seam = dart();
-        fixture_.workspace().setEase(seam, 0.1);
+        fixture_.document().setSeamEase(seam, 0.1);
         document().setEaseDrawn(seam, true);
         QVERIFY(isFlatAgain());
         // Legs of 62 and 68.2 mm; at 65.3 they open by 60 degrees.

@@ -5,7 +5,6 @@
 #include <QTest>
 
 #include "app/document/layout.h"
-#include "app/document/names.h"
 #include "app/render/scene.h"
 #include "core/pattern/drawn_outline.h"
 #include "tests/app/support/garments.h"
@@ -170,7 +169,7 @@ private slots:
         QCOMPARE(told.touched, (std::vector{true, false}));
         ProofPlan plan;
         plan.settings.edge = 7;
-        document.setProofPlan(plan, "Edge");
+        document.edit("Edge", &DocumentState::proof, plan);
         QCOMPARE(told.touched, (std::vector{false, true}));
         QVERIFY(document.options() == natural && document.state().proof == plan);
         QVERIFY(document.isCurrent());

@@ -10,7 +10,7 @@
 #include <new>
 
 #include "app/document/layout.h"
-#include "app/document/project_state.h"
+#include "app/jobs/file_jobs.h"
 #include "app/panels/fabric_panel.h"
 #include "app/panels/pieces_model.h"
 #include "app/render/overlay_figures.h"

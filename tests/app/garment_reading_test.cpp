@@ -381,7 +381,7 @@ private slots:
         QCOMPARE(document().pieceCount(), 2);
         QCOMPARE(document().garment()->cuts.size(), std::size_t(1));
         const auto path = fixture_.path("kept.seams.json").toStdU16String();
-        QVERIFY(fixture_.workspace().writeSeams(path).ok());
+        QVERIFY(fixture_.workspace().cuts().writeSeams(path).ok());
         const auto kept = readSeamsFile(path);
         QVERIFY(kept.ok());
         QCOMPARE(kept->cuts.size(), std::size_t(1));

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/document/names.h"
+#include "app/document/document.h"
 #include "app/views/grain_arrow.h"
 #include "app/widgets/banner.h"
 #include "core/formats/drawing/drawing.h"

@@ -14,6 +14,8 @@
 #include <new>
 #include <stdexcept>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "app/document/document.h"
 #include "app/document/piece_edits.h"
@@ -400,6 +402,72 @@ private slots:
         const QString said = job->detail();  // the last that was begun, maybe beside the other
         QVERIFY2(QRegularExpression("^[12] of 2: Teil( 2)?$").match(said).hasMatch(),
                  qPrintable(said));
+    }
+
+    void aFollowerAnswersTheLastQuestionAndCancelsTheOthers() {
+        std::vector<int> answers;
+        Follower<int, int> follower(
+            [](int asked, Progress& progress) {
+                while (asked < 3 && !progress.isCancelled()) {
+                    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                }
+                return asked * 10;
+            },
+            [&](const Attempt<int>& made, int, bool isLast) {
+                QVERIFY(isLast);
+                answers.push_back(*made.answer);
+            });
+        for (const int asked : {1, 2, 1, 3, 3}) {
+            follower.ask(asked);
+            QVERIFY(follower.isBusy());
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(!follower.isBusy(), test::kPatience);
+        follower.ask(3);  // is answered already
+        QVERIFY(!follower.isBusy());
+        QCOMPARE(answers, std::vector<int>{30});
+    }
+
+    void aFollowerHandsOlderAnswersOverThatCannotBeCancelled() {
+        std::atomic<bool> mayEnd = false;
+        std::vector<std::pair<int, bool>> answers;
+        Follower<int, int> follower(
+            [&mayEnd](int asked) {
+                while (asked > 0 && !mayEnd) {
+                    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                }
+                return asked;
+            },
+            [&](const Attempt<int>& made, int, bool isLast) {
+                answers.emplace_back(*made.answer, isLast);
+            },
+            [](int asked) { return asked == 0; });
+        follower.ask(1);
+        follower.ask(2);
+        mayEnd = true;
+        QTRY_VERIFY_WITH_TIMEOUT(!follower.isBusy(), test::kPatience);
+        const std::vector<std::pair<int, bool>> both{{1, false}, {2, true}};
+        QVERIFY(answers == both);
+        mayEnd = false;
+        follower.ask(0);  // small: at once, and here
+        QCOMPARE(answers.size(), std::size_t(3));
+    }
+
+    void aFollowerWaitsForFurtherQuestions() {
+        std::vector<int> answers;
+        Follower<int, int> follower(
+            [](int asked) { return asked; },
+            [&](const Attempt<int>& made, int, bool) { answers.push_back(*made.answer); },
+            [](int) { return true; }, 20);
+        for (const int asked : {1, 2, 3}) {
+            follower.ask(asked);
+        }
+        QVERIFY(answers.empty());
+        QTRY_COMPARE_WITH_TIMEOUT(answers, std::vector<int>{3}, test::kPatience);
+        follower.ask(4);
+        follower.forget();
+        QVERIFY(!follower.isBusy());
+        follower.ask(3);  // was forgotten, too
+        QTRY_COMPARE_WITH_TIMEOUT(answers, (std::vector{3, 3}), test::kPatience);
     }
 };
 

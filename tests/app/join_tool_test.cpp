@@ -136,7 +136,7 @@ private slots:
         QVERIFY(fixture_.openAndWait(file));
         QVERIFY(sewn());
         const test::Moment start = test::momentOf(document());
-        fixture_.workspace().joinSeam(*sewn());
+        fixture_.workspace().cuts().joinSeam(*sewn());
         QVERIFY(said().contains("tetrahedron"));
         QVERIFY(test::momentOf(document()) == start);
     }

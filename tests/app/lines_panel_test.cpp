@@ -11,7 +11,7 @@
 #include <algorithm>
 
 #include "app/document/line_facts.h"
-#include "app/document/project_state.h"
+#include "app/jobs/file_jobs.h"
 #include "app/panels/seam_ends_list.h"
 #include "app/panels/seams_model.h"
 #include "app/render/scene.h"
@@ -255,7 +255,7 @@ private slots:
         auto& table = fixture_.find<QTreeView>("seamTable");
         const QModelIndex cell = table.model()->index(0, SeamsModel::Drawn);
         QVERIFY(!cell.data(Qt::CheckStateRole).isValid());
-        fixture_.workspace().setEase(0, 0.05);
+        fixture_.document().setSeamEase(0, 0.05);
         QCOMPARE(cell.data(Qt::CheckStateRole).toInt(), int(Qt::Unchecked));
         QVERIFY(std::abs(seamMeasure().errorMm) > 1);
         const QRect box = table.visualRect(cell);

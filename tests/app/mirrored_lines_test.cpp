@@ -2,7 +2,7 @@
 // Internal lines where edits are mirrored: drawn, moved and taken away on both sides at once.
 #include <QFile>
 
-#include "app/document/internal_line_edits.h"
+#include "app/document/line_edits.h"
 #include "app/document/mirrored_edits.h"
 #include "app/views/tools/tool_box.h"
 #include "core/symmetry/symmetry.h"

@@ -260,7 +260,7 @@ private slots:
             const bool hasImage = mirroredCut(*document().garment(), document().results(),
                                               *document().derived().symmetry, cut)
                                       .has_value();
-            workspace().addCut(cut);
+            workspace().cuts().add(cut);
             QVERIFY(settle());
             const std::vector<UserCut>& after = document().loading().seams.cuts;
             if (after == before) {

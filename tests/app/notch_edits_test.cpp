@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What edits of notches and allowances leave in the settings, without any window.
-#include "app/document/notch_edits.h"
 
 #include <QTest>
 #include <algorithm>

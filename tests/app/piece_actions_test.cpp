@@ -11,7 +11,7 @@
 #include <QPushButton>
 #include <QTreeView>
 
-#include "app/document/names.h"
+#include "app/document/document.h"
 #include "app/document/piece_edits.h"
 #include "app/export/export_dialog.h"
 #include "app/panels/pieces_model.h"

@@ -7,7 +7,7 @@
 #include <QLineEdit>
 #include <QSpinBox>
 
-#include "app/document/names.h"
+#include "app/document/document.h"
 #include "app/document/piece_edits.h"
 #include "core/project/piece_settings.h"
 #include "tests/app/support/garments.h"

@@ -92,7 +92,7 @@ private slots:
     }
 
     void aChangeOnItsWayIsAskedAboutAndSaved() {
-        workspace().changeSeams("Cut", [](SeamsFile& seams) {
+        workspace().cuts().change("Cut", [](SeamsFile& seams) {
             seams.cuts.push_back(
                 {"waist", UserCut::Kind::Path, {{0, 210, 0}, {300, 210, 0}}, false});
         });

@@ -11,8 +11,8 @@
 #include <QTreeWidget>
 #include <algorithm>
 
-#include "app/document/project_state.h"
 #include "app/document/shown_proof.h"
+#include "app/jobs/file_jobs.h"
 #include "app/jobs/ready_checker.h"
 #include "app/panels/proof_form.h"
 #include "app/panels/proof_model.h"
@@ -291,7 +291,7 @@ private slots:
         plan.body = "body.obj";
         plan.settings.pressure = 30;
         plan.settings.stiffness.warp = 40;
-        document().setProofPlan(plan, "Plan");
+        document().edit("Plan", &DocumentState::proof, plan);
         openSample("sheet.obj");  // again
         QVERIFY(proof().plan() == plan);
         openSample("tshirt.obj");
@@ -302,7 +302,7 @@ private slots:
         openSample("sheet.obj");
         ProofPlan plan;
         plan.sewn = SewnPattern::Reference;
-        document().setProofPlan(plan, "Plan");
+        document().edit("Plan", &DocumentState::proof, plan);
         QVERIFY(proof().plan().sewn == SewnPattern::Own);
         find<QAbstractButton>("proofGravity").click();
         QVERIFY(document().state().proof.sewn == SewnPattern::Reference);  // it stays said
@@ -342,7 +342,7 @@ private slots:
         plan.bodyUnit = LengthUnit::Inch;
         plan.settings.hasGravity = true;
         plan.settings.stiffness.bending = 20e-6;
-        document().setProofPlan(plan, "Plan");
+        document().edit("Plan", &DocumentState::proof, plan);
         const Project project =
             projectOf(document().state(), document().derived(), document().view());
         QVERIFY(writeProject(fixture_.path("sheet.toile").toStdString(), project));
@@ -399,7 +399,7 @@ private slots:
         ProofPlan plan;
         plan.body = "body.obj";
         plan.bodyUnit = FileUnit::ofMillimetres(12.5);
-        document().setProofPlan(plan, "Plan");
+        document().edit("Plan", &DocumentState::proof, plan);
         QVERIFY(unit.isVisible());
         QVERIFY2(unit.currentText().contains("12.5"), qPrintable(unit.currentText()));
         unit.setFocus();
@@ -433,7 +433,7 @@ private slots:
         test::writeObj(fixture_.path("far.obj").toStdString(), {{"far", far}});
         ProofPlan plan;
         plan.body = fixture_.path("far.obj").toStdString();
-        document().setProofPlan(plan, "Plan");
+        document().edit("Plan", &DocumentState::proof, plan);
         press(ActionId::ProveBySewing);
         QVERIFY(QTest::qWaitFor([this] { return !proof().isRunning(); }, test::kPatience));
         QVERIFY(!document().proof());
@@ -481,16 +481,18 @@ private slots:
 
     void theWorkLeavesClothOnItsWay() {
         openSample("sheet.obj");
-        const auto tray = std::make_shared<ProofTray>();
+        const auto mailbox = std::make_shared<Mailbox<ShownProof>>();
         std::shared_ptr<const ShownProof> found;
-        const auto job = proofJob(document(), {}, tray, [&](auto made) { found = made; });
+        const auto job = proofJob(document(), {}, mailbox, [&](auto made) { found = made; });
         Progress progress;
         QVERIFY(job->process(progress));
         job->finalize();
         QVERIFY(found && found->proof);
-        QVERIFY(tray->sewing && !tray->sewing->proof && !tray->sewing->cloth->isMeasured);
-        QVERIFY(tray->sewing->ground == found->ground);
-        QVERIFY(tray->sewing->cloth->scene == document().scene());
+        const auto sewing = mailbox->take();
+        QVERIFY(sewing && !sewing->proof && !sewing->cloth->isMeasured);
+        QVERIFY(sewing->ground == found->ground);
+        QVERIFY(sewing->cloth->scene == document().scene());
+        QVERIFY(!mailbox->take());
     }
 
     void theCheckGoesOnWhileItIsProvedAgain() {

@@ -8,7 +8,7 @@
 #include <QTreeWidget>
 #include <algorithm>
 
-#include "app/document/names.h"
+#include "app/document/document.h"
 #include "app/panels/cut_chart.h"
 #include "app/panels/proposals_form.h"
 #include "app/session/cut_proposals.h"
@@ -590,7 +590,7 @@ private slots:
     void anEditOfTheGarmentIsFollowed() {
         open("shirt.obj");
         propose();
-        fixture_.workspace().addCut({{}, UserCut::Kind::Dart, {{40, 0, 60}, {40, 200, 80}}});
+        fixture_.workspace().cuts().add({{}, UserCut::Kind::Dart, {{40, 0, 60}, {40, 200, 80}}});
         QTRY_VERIFY_WITH_TIMEOUT(ownCuts() == 1 && document().isCurrent(), test::kPatience);
         QVERIFY(isKnown());
         QVERIFY(isThere());

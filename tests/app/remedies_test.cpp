@@ -269,7 +269,8 @@ private slots:
         QVERIFY(!bar.isVisible());
         fixture_.action(ActionId::AutoFlatten).trigger();
         const auto back = document().result(1);
-        fixture_.workspace().addCut({{}, UserCut::Kind::Path, {{200, 0, 0}, {200, 600, 0}}, false});
+        fixture_.workspace().cuts().add(
+            {{}, UserCut::Kind::Path, {{200, 0, 0}, {200, 600, 0}}, false});
         QVERIFY(waitForAnswer());
         QCOMPARE(document().pieceCount(), 3);
         QVERIFY(bar.isVisible());

@@ -340,11 +340,11 @@ private slots:
         asEvent([this] { fixture_.action(ActionId::ToolSelect).trigger(); });
         demand("A tool that looks for edges");
 
-        asEvent([this] { fixture_.workspace().setEase(0, 0.01); });
+        asEvent([this] { fixture_.document().setSeamEase(0, 0.01); });
         asEvent([this] {
             UserCut cut;
             cut.points = {{100, 0, 0}, {100, 600, 0}};
-            fixture_.workspace().addCut(cut);
+            fixture_.workspace().cuts().add(cut);
         });
         fidgetUntilDone(20);
         QVERIFY(!document().loading().seams.cuts.empty());

@@ -120,7 +120,7 @@ private slots:
     }
 
     void anEaseThatIsOnlyLookedAtStaysAsItIs() {
-        fixture_.workspace().setEase(0, 0.0254);  // shown as 2.5
+        fixture_.document().setSeamEase(0, 0.0254);  // shown as 2.5
         const int steps = document().history().count();
         const QPointer<QLineEdit> editor = typeEase("");
         QVERIFY(editor);
@@ -288,7 +288,7 @@ private slots:
     }
 
     void easeGoesWithTheGarment() {
-        fixture_.workspace().setEase(0, 0.1);
+        fixture_.document().setSeamEase(0, 0.1);
         QVERIFY(fixture_.openAndWait(fixture_.path("alone.obj")));
         QVERIFY(fixture_.workspace().loading().seams.empty());
         QVERIFY(fixture_.workspace().loading().seamSettings.empty());

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/document/names.h"
+#include "app/document/document.h"
 #include "app/render/pattern_renderer.h"
 #include "app/views/tools/tool_paint.h"
 #include "core/layout/snapping.h"

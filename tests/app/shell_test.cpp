@@ -23,7 +23,7 @@
 #include "app/actions/action_registry.h"
 #include "app/actions/help_table.h"
 #include "app/actions/menu_table.h"
-#include "app/document/names.h"
+#include "app/document/document.h"
 #include "app/panels/pieces_model.h"
 #include "app/panels/preferences_dialog.h"
 #include "app/settings/length_display.h"

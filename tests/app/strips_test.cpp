@@ -7,8 +7,8 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "app/document/notch_edits.h"
-#include "app/document/project_state.h"
+#include "app/document/line_edits.h"
+#include "app/jobs/file_jobs.h"
 #include "core/layout/marker.h"
 #include "core/pattern/extension.h"
 #include "core/project/project_file.h"

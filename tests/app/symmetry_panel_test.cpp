@@ -13,7 +13,7 @@
 
 #include "app/document/layout.h"
 #include "app/document/mirrored_edits.h"
-#include "app/document/project_state.h"
+#include "app/jobs/file_jobs.h"
 #include "app/panels/mirrored_pieces_list.h"
 #include "app/panels/seams_model.h"
 #include "app/views/tools/path_tool.h"
@@ -356,11 +356,11 @@ private slots:
 
     void aCutIsTakenBackWithItsImageUnlessThatIsSwitchedOff() {
         chooseMean();
-        workspace().addCut(someDart(somePiece(false)));
+        workspace().cuts().add(someDart(somePiece(false)));
         QVERIFY(isFlatAgain());
         QCOMPARE(cuts().size(), std::size_t(2));
         for (const std::size_t either : {0, 1}) {
-            workspace().removeCut(cuts()[either].id);
+            workspace().cuts().remove(cuts()[either].id);
             QVERIFY(cuts().empty());
             undo();
             QCOMPARE(cuts().size(), std::size_t(2));
@@ -370,35 +370,35 @@ private slots:
         const auto ofDart =
             std::ranges::find_if(seams, [](const Seam& seam) { return !seam.cuts.empty(); });
         QVERIFY(ofDart != seams.end());
-        workspace().joinSeam(static_cast<int>(ofDart - seams.begin()));
+        workspace().cuts().joinSeam(static_cast<int>(ofDart - seams.begin()));
         QVERIFY(cuts().empty());
         undo();
         setMirrorsEdits(document(), false);
-        workspace().removeCut(cuts()[0].id);
+        workspace().cuts().remove(cuts()[0].id);
         QCOMPARE(cuts().size(), std::size_t(1));
     }
 
     void aCutIsMadeOnceWhereItIsSwitchedOffOrNoPlaneIsKnown() {
-        workspace().addCut(someDart(0));
+        workspace().cuts().add(someDart(0));
         QCOMPARE(cuts().size(), std::size_t(1));
         QVERIFY(isFlatAgain());
         undo();
         QVERIFY(isFlatAgain());
         chooseMean();
         setMirrorsEdits(document(), false);
-        workspace().addCut(someDart(somePiece(false)));
+        workspace().cuts().add(someDart(somePiece(false)));
         QCOMPARE(cuts().size(), std::size_t(1));
     }
 
     void cutsThatWaitForTheirImagesAreMadeInOrder() {
         chooseMean();
         test::Hold held;
-        workspace().mirroring().start(held.job());
-        workspace().addCut(someDart(somePiece(false)));
-        workspace().addCut(someDart(somePiece(true)));
+        workspace().cuts().searches().start(held.job());
+        workspace().cuts().add(someDart(somePiece(false)));
+        workspace().cuts().add(someDart(somePiece(true)));
         QVERIFY(cuts().empty());
         QVERIFY(fixture_.action(ActionId::Cancel).isEnabled());
-        workspace().setEase(0, 0.02);
+        document().setSeamEase(0, 0.02);
         held.release();
         QVERIFY(fixture_.waitUntilIdle());
         QVERIFY(isFlatAgain());
@@ -416,8 +416,8 @@ private slots:
     void aStepBackTakesBackACutThatWaits() {
         chooseMean();
         test::Hold held;
-        workspace().mirroring().start(held.job());
-        workspace().addCut(someDart(somePiece(false)));
+        workspace().cuts().searches().start(held.job());
+        workspace().cuts().add(someDart(somePiece(false)));
         undo();
         held.release();
         QVERIFY(fixture_.waitUntilIdle());
@@ -430,9 +430,9 @@ private slots:
     void stepsBackTakeBackOneWaitingCutEachAndThenEdits() {
         chooseMean();
         test::Hold held;
-        workspace().mirroring().start(held.job());
-        workspace().addCut(someDart(somePiece(false)));
-        workspace().addCut(someDart(somePiece(true)));
+        workspace().cuts().searches().start(held.job());
+        workspace().cuts().add(someDart(somePiece(false)));
+        workspace().cuts().add(someDart(somePiece(true)));
         undo();
         held.release();
         QVERIFY(fixture_.waitUntilIdle());
@@ -441,7 +441,7 @@ private slots:
         QCOMPARE(steps(), 2);
         // A search that is cancelled and has not stopped yet does not take the next step.
         std::atomic<bool> runs = true;
-        workspace().mirroring().start(makeJob(
+        workspace().cuts().searches().start(makeJob(
             "Deaf",
             [&runs](Progress&) -> Result<int> {
                 while (runs) {
@@ -462,8 +462,8 @@ private slots:
     void aCutThatWaitsIsNotMadeInAnotherGarment() {
         chooseMean();
         test::Hold held;
-        workspace().mirroring().start(held.job());
-        workspace().addCut(someDart(somePiece(false)));
+        workspace().cuts().searches().start(held.job());
+        workspace().cuts().add(someDart(somePiece(false)));
         QVERIFY(fixture_.openAndWait(TOILE_SOURCE_DIR "/resources/samples/cap.obj"));
         held.release();
         QVERIFY(fixture_.waitUntilIdle());
@@ -515,7 +515,7 @@ private slots:
     void aProjectKeepsWhatMirrorsWhatAndWhatIsHalved() {
         chooseMean();
         const int sleeve = somePiece(false);
-        workspace().addCut(someDart(somePiece(true)));
+        workspace().cuts().add(someDart(somePiece(true)));
         QVERIFY(isFlatAgain());
         tickHalf(rowOf(sleeve));
         const std::vector<UserCut> said = cuts();

@@ -8,11 +8,11 @@
 #include <QSlider>
 #include <algorithm>
 
-#include "app/document/internal_line_edits.h"
 #include "app/document/layout.h"
-#include "app/document/project_state.h"
+#include "app/document/line_edits.h"
 #include "app/export/export_dialog.h"
 #include "app/export/print_dialog.h"
+#include "app/jobs/file_jobs.h"
 #include "core/layout/marker.h"
 #include "core/pattern/darts.h"
 #include "core/pattern/extension.h"
@@ -118,7 +118,7 @@ private slots:
         UserCut dart;
         dart.kind = UserCut::Kind::Dart;
         dart.points = {placeOn(front, 0, 0.58, true), placeOn(front, 0.27, 0.66)};
-        fixture_.workspace().addCut(dart);
+        fixture_.workspace().cuts().add(dart);
         QVERIFY(isDone());
         const auto isDart = [](const Seam& seam) { return seam.kind == SeamKind::Dart; };
         QCOMPARE(std::ranges::count_if(seams(), isDart), std::ptrdiff_t(2));

@@ -67,9 +67,9 @@ private slots:
         coming.derived.inputs = coming.state.inputs;
         workspace().openBy(std::make_unique<test::ReadingJob>(
             [&] { workspace().arrived([&] { test::open(document(), coming); }); }));
-        workspace().addCut({"", UserCut::Kind::Path, {{0, 210, 0}, {300, 210, 0}}, false});
-        workspace().joinSeam(0);
-        workspace().removeCut({1});
+        workspace().cuts().add({"", UserCut::Kind::Path, {{0, 210, 0}, {300, 210, 0}}, false});
+        workspace().cuts().joinSeam(0);
+        workspace().cuts().remove({1});
         QVERIFY(waitUntilDone());
         QVERIFY(workspace().loading().seams == coming.state.inputs.loading.seams);
         QVERIFY(!document().history().canUndo());

@@ -177,8 +177,8 @@ private slots:
         cutAcross("waist", 210);
         QVERIFY(waitUntilDone());
         const CutId cut = document().garment()->cuts.at(0).id;
-        workspace().removeCut(cut);
-        workspace().removeCut(cut);  // a second click
+        workspace().cuts().remove(cut);
+        workspace().cuts().remove(cut);  // a second click
         QVERIFY(waitUntilDone());
         QCOMPARE(document().history().count(), 2);
         QVERIFY(!document().history().canRedo());
@@ -191,7 +191,7 @@ private slots:
         const PieceResults before = document().results();
         const auto settings = document().settings();
         workspace().setAutoFlatten(false);
-        workspace().changeSeams("Cut", [](SeamsFile& seams) {
+        workspace().cuts().change("Cut", [](SeamsFile& seams) {
             seams.cuts.push_back(
                 {"back", UserCut::Kind::Path, {{500, 0, 0}, {500, 100, 0}}, false});
         });
@@ -234,7 +234,7 @@ private slots:
         workspace().setMethod(Method::Natural);
         workspace().setAutoFlatten(true);
         workspace().flattenAgain();
-        workspace().setEase(0, 0.01);  // is not seen by the flattening
+        document().setSeamEase(0, 0.01);  // is not seen by the flattening
         QVERIFY(waitUntilDone());
         QCOMPARE(started.count(), 1);
     }
@@ -242,7 +242,7 @@ private slots:
     void flatteningThatIsNotAutomaticAnyMoreIsDoneToItsEnd() {
         workspace().setMethod(Method::Natural);
         workspace().setAutoFlatten(false);
-        workspace().setEase(0, 0.01);
+        document().setSeamEase(0, 0.01);
         QVERIFY(waitUntilDone());
     }
 
@@ -288,7 +288,7 @@ private slots:
         workspace().setMethod(Method::Natural);
         workspace().cancel();
         changeFabric("jersey");
-        workspace().setEase(0, 0.01);
+        document().setSeamEase(0, 0.01);
         QVERIFY(waitUntilIdle());
         QVERIFY(!workspace().jobs().isBusy());
         QVERIFY(!document().isFlattened());
@@ -301,7 +301,7 @@ private slots:
         cutAcross("waist", 210);
         QVERIFY(waitUntilDone());
         const test::Moment cut = test::momentOf(document());
-        workspace().removeCut(document().garment()->cuts.at(0).id);
+        workspace().cuts().remove(document().garment()->cuts.at(0).id);
         QCOMPARE(document().garment(), start.derived.garment);  // known from before
         QVERIFY(!workspace().jobs().isBusy());
         document().history().undo();

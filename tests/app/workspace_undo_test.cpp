@@ -100,8 +100,8 @@ private slots:
 
     void anotherStepBackWhileASceneIsMadeLeavesNoneOut() {
         document().cache().setMaxBytes(0);
-        workspace().setEase(0, 0.01);
-        workspace().setEase(1, 0.02);
+        document().setSeamEase(0, 0.01);
+        document().setSeamEase(1, 0.02);
         workspace().setMethod(Method::Natural);
         QVERIFY(waitUntilDone());
         while (document().history().canUndo()) {
@@ -159,7 +159,7 @@ private slots:
 
     void undoTakesTheLastEditBackAlone() {
         cutAcross("waist", 210);
-        workspace().changeSeams("Another", [](SeamsFile& seams) {
+        workspace().cuts().change("Another", [](SeamsFile& seams) {
             seams.cuts.push_back({"hip", UserCut::Kind::Path, {{0, 110, 0}, {300, 110, 0}}, false});
         });
         QCOMPARE(document().history().undoText(), QString("Another"));
@@ -318,12 +318,12 @@ private:
                     const int vertex = piece.boundary[any(piece.boundary.size())];
                     cut.points.emplace_back(piece.mesh.V.row(vertex));
                 }
-                workspace().addCut(cut);
+                workspace().cuts().add(cut);
                 break;
             }
             case 3:
                 if (const auto& cuts = document().loading().seams.cuts; !cuts.empty()) {
-                    workspace().removeCut(cuts[any(cuts.size())].id);
+                    workspace().cuts().remove(cuts[any(cuts.size())].id);
                 }
                 break;
             case 4:
@@ -331,7 +331,7 @@ private:
                 break;
             case 5:
                 if (document().seamCount() > 0) {
-                    workspace().joinSeam(
+                    workspace().cuts().joinSeam(
                         static_cast<int>(any(std::size_t(document().seamCount()))));
                 }
                 break;

@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "app/document/internal_line_edits.h"
+#include "app/document/line_edits.h"
 #include "app/document/mirrored_edits.h"
 #include "app/render/render_style.h"
 #include "app/session/workspace.h"

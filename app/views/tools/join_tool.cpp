@@ -3,7 +3,7 @@
 
 #include <QPainter>
 
-#include "app/document/names.h"
+#include "app/document/document.h"
 #include "app/render/render_style.h"
 #include "app/session/workspace.h"
 #include "app/text/figures.h"
@@ -57,7 +57,7 @@ void JoinTool::leave(ToolView&) {
 
 void JoinTool::click(ToolView& view, const Pointer& pointer) {
     if (const auto seam = seamAt(view, pointer)) {
-        workspace_.joinSeam(*seam);
+        workspace_.cuts().joinSeam(*seam);
     }
 }
 

@@ -11,7 +11,6 @@
 
 #include "app/document/document.h"
 #include "app/document/layout.h"
-#include "app/document/names.h"
 #include "app/render/render_style.h"
 #include "app/text/figures.h"
 #include "app/views/tools/tool_paint.h"

@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "app/document/notch_edits.h"
+#include "app/document/line_edits.h"
 #include "app/views/tool.h"
 
 namespace toile::app {

@@ -37,7 +37,6 @@ PathTool::PathTool(Workspace& workspace, PathFinder& finder, UserCut::Kind kind,
           [](const DraftedCut& drawn) {
               return imageOfCut(*drawn.garment, drawn.results, *drawn.symmetry, drawn.cut);
           },
-          [](const DraftedCut&) { return false; },
           [this](Attempt<std::optional<CutImage>> made, const DraftedCut&, bool isLast) {
               if (isLast && !draft_.isEmpty()) {
                   image_ = std::move(made.answer).value_or(std::nullopt);
@@ -79,7 +78,7 @@ void PathTool::click(ToolView& view, const Pointer& pointer) {
         return;
     }
     if (draft_.isEmpty() && goesAround() && pointer.modifiers.testFlag(Qt::AltModifier)) {
-        workspace_.cutAround(place->piece, place->at);
+        workspace_.cuts().cutAround(place->piece, place->at);
         return;
     }
     draft_.setAlongEdges(pointer.modifiers.testFlag(Qt::ControlModifier));
@@ -238,7 +237,7 @@ void PathTool::finish() {
     UserCut cut{{}, kindFor(draft_.points()), cutPoints(), draft_.alongEdges()};
     const int piece = draft_.points().front().piece;
     cancel();
-    workspace_.addCut(std::move(cut), piece);
+    workspace_.cuts().add(std::move(cut), piece);
 }
 
 bool PathTool::isDetour() const {

@@ -86,7 +86,7 @@ private:
     bool isDetour() const;
 
     std::size_t least_;  ///< places needed for a cut
-    Answerer<DraftedCut, std::optional<CutImage>> images_;
+    Follower<DraftedCut, std::optional<CutImage>> images_;
     std::optional<CutImage> image_;    ///< of the draft, shown as a preview
     std::optional<ClothPoint> under_;  ///< place under the pointer, before the first is set
     QPointF pointer_;

@@ -398,7 +398,7 @@ void Monkey::cutSomewhere() {
     }
     UserCut cut = randomCut(document, random_);
     note(QString("cut with %1 points").arg(cut.points.size()));
-    window_.workspace().addCut(std::move(cut));
+    window_.workspace().cuts().add(std::move(cut));
 }
 
 void Monkey::takeOut() {
@@ -407,16 +407,16 @@ void Monkey::takeOut() {
     const auto& joins = workspace.loading().seams.joins;
     if (!cuts.empty() && random_.chance(0.4)) {
         note("remove cut");
-        workspace.removeCut(
+        workspace.cuts().remove(
             cuts[std::size_t(random_.whole(0, static_cast<int>(cuts.size()) - 1))].id);
     } else if (!joins.empty() && random_.chance(0.4)) {
         note("remove join");
         const std::string name = joins.front().name;
-        workspace.removeJoin(name);
+        workspace.cuts().removeJoin(name);
     } else if (workspace.document().seamCount() > 0) {
         const int seam = random_.whole(0, workspace.document().seamCount() - 1);
         note(QString("join seam %1").arg(seam));
-        workspace.joinSeam(seam);
+        workspace.cuts().joinSeam(seam);
     }
 }
 
@@ -427,7 +427,7 @@ void Monkey::stateEase() {
     }
     const int seam = random_.whole(0, workspace.document().seamCount() - 1);
     note(QString("ease of seam %1").arg(seam));
-    workspace.setEase(
+    workspace.document().setSeamEase(
         seam, random_.chance(0.3) ? std::nullopt : std::optional(random_.between(-0.05, 0.1)));
 }
 

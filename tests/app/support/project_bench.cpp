@@ -121,7 +121,7 @@ void ProjectBench::writeMesh(const QString& name, double width) {
 }
 
 void ProjectBench::doThings() {
-    workspace().changeSeams("Cut", [](SeamsFile& seams) {
+    workspace().cuts().change("Cut", [](SeamsFile& seams) {
         seams.cuts.push_back({"waist", UserCut::Kind::Path, {{0, 210, 0}, {300, 210, 0}}, false});
     });
     QVERIFY(waitUntilFlat());

@@ -68,7 +68,7 @@ public:
     bool waitForResults() {
         return QTest::qWaitFor(
             [this] {
-                return !workspace().mirroring().isBusy() && !workspace().jobs().isBusy() &&
+                return !workspace().cuts().searches().isBusy() && !workspace().jobs().isBusy() &&
                        !document().results().empty() && window_->views().isUpToDate();
             },
             kPatience);

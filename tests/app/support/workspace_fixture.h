@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "app/session/cut_editor.h"
 #include "app/session/workspace.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/same_state.h"
@@ -98,7 +99,7 @@ public:
     }
 
     void cutAcross(const std::string& name, double y) {
-        workspace_->changeSeams("Cut", [name, y](SeamsFile& seams) {
+        workspace_->cuts().change("Cut", [name, y](SeamsFile& seams) {
             seams.cuts.push_back({name, UserCut::Kind::Path, {{0, y, 0}, {300, y, 0}}, false});
         });
     }

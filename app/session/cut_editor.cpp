@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person asks of cuts, joins and ease.
+#include "app/session/cut_editor.h"
+
 #include <algorithm>
 #include <utility>
 
+#include "app/document/document.h"
 #include "app/document/mirrored_edits.h"
-#include "app/document/names.h"
 #include "app/jobs/job.h"
 #include "app/session/workspace.h"
 #include "app/text/error_text.h"
@@ -19,7 +20,7 @@
 namespace toile::app {
 namespace {
 
-/// "cut 3": the first that no entry has.
+/// "cut 3": the first name that no entry has.
 template <class Entry>
 std::string freeName(const std::vector<Entry>& entries, const std::string& stem, bool numbered) {
     std::string name = stem;
@@ -34,34 +35,34 @@ std::string freeName(const std::vector<Entry>& entries, const std::string& stem,
 struct CutWords {
     QString text;      ///< for the history
     QString ofPiece;   ///< with %1 for the piece
-    std::string stem;  ///< of its name, which is the person's
+    std::string stem;  ///< of its name
 };
 
 CutWords wordsOf(UserCut::Kind kind) {
     switch (kind) {
         case UserCut::Kind::Dart:
-            return {Workspace::tr("Cut dart"), Workspace::tr("Cut dart in %1"),
-                    Workspace::tr("dart").toStdString()};
+            return {CutEditor::tr("Cut dart"), CutEditor::tr("Cut dart in %1"),
+                    CutEditor::tr("dart").toStdString()};
         case UserCut::Kind::Loop:
-            return {Workspace::tr("Cut closed loop"), Workspace::tr("Cut closed loop in %1"),
-                    Workspace::tr("loop").toStdString()};
+            return {CutEditor::tr("Cut closed loop"), CutEditor::tr("Cut closed loop in %1"),
+                    CutEditor::tr("loop").toStdString()};
         case UserCut::Kind::Path:
             break;
     }
-    return {Workspace::tr("Cut"), Workspace::tr("Cut %1"), Workspace::tr("cut").toStdString()};
+    return {CutEditor::tr("Cut"), CutEditor::tr("Cut %1"), CutEditor::tr("cut").toStdString()};
 }
 
-/// By the name of the first of these cuts: the others are its mirror images, or stood in one line.
+/// Names the first of these cuts: the others are its mirror images, or lie on one line with it.
 QString textOfRemoval(const SeamsFile& seams, const std::vector<CutId>& ids) {
     const auto cut = std::ranges::find_if(seams.cuts, [&ids](const UserCut& known) {
         return std::ranges::find(ids, known.id) != ids.end();
     });
     return cut == seams.cuts.end()
-               ? Workspace::tr("Remove cut")
-               : Workspace::tr("Remove %1").arg(QString::fromStdString(cut->name));
+               ? CutEditor::tr("Remove cut")
+               : CutEditor::tr("Remove %1").arg(QString::fromStdString(cut->name));
 }
 
-/// Fewer triangles, and cuts are found within some milliseconds.
+/// With fewer triangles, cuts are found within some milliseconds.
 constexpr Eigen::Index kQuickTriangles = 2000;
 
 /// Whether a mirror image is found at once: within some milliseconds.
@@ -74,21 +75,39 @@ bool isSmall(const Garment& garment) {
     return count <= kTriangles;
 }
 
-}  // namespace
-
-void Workspace::divideByWhatIsThere(LoadOptions& loading) {
+/// Without cuts there are no seams to divide by.
+void divideByWhatIsThere(LoadOptions& loading) {
     if (loading.seams.cuts.empty() && loading.split == SplitMode::Seams) {
         loading.split = SplitMode::Auto;
     }
 }
 
-std::optional<Error> Workspace::objectionTo(const Garment& garment, DocumentState& rest) {
-    const std::vector<Trial> tried = std::exchange(onTrial_, {});
+}  // namespace
+
+CutEditor::CutEditor(Workspace& workspace)
+    : workspace_(workspace), document_(workspace.document()) {
+    connect(&document_, &Document::opened, this, [this] {
+        pending_.clear();
+        searches_.cancel();
+    });
+    connect(&document_, &Document::changed, this, [this] {
+        if (document_.isCurrent()) {
+            pending_.clear();
+        }
+    });
+}
+
+std::shared_ptr<const Garment> CutEditor::openGarment() const {
+    return workspace_.isOpening() ? nullptr : document_.garment();
+}
+
+std::optional<Error> CutEditor::objectionTo(const Garment& garment, DocumentState& rest) {
+    const std::vector<Pending> tried = std::exchange(pending_, {});
     SeamsFile& seams = rest.inputs.loading.seams;
     std::optional<Error> objection;
     for (const Error& problem : garment.problems) {
         const bool isCut = problem.code == ErrorCode::CutImpossible;
-        const auto trial = std::ranges::find_if(tried, [&problem](const Trial& one) {
+        const auto trial = std::ranges::find_if(tried, [&problem](const Pending& one) {
             return one.name == problem.subject.name || one.image == problem.subject.name;
         });
         if (trial == tried.end() || !(isCut || problem.code == ErrorCode::JoinImpossible)) {
@@ -108,7 +127,7 @@ std::optional<Error> Workspace::objectionTo(const Garment& garment, DocumentStat
     return objection;
 }
 
-void Workspace::sayRefused(const Error& why) {
+void CutEditor::refuse(const Error& why) {
     QString sentence = errorText(why);
     if (std::exchange(isImageRefused_, false)) {
         sentence += ' ' + tr("It is the mirror image of your cut. To cut one side only, switch off "
@@ -117,34 +136,34 @@ void Workspace::sayRefused(const Error& why) {
     emit refused(sentence);
 }
 
-void Workspace::changeSeams(const QString& text, std::function<void(SeamsFile&)> change,
-                            int gesture) {
-    changeLoading({text,
-                   [change = std::move(change)](LoadOptions& options) {
-                       change(options.seams);
-                       giveIds(options.seams.cuts);
-                       divideByWhatIsThere(options);
-                   },
-                   gesture});
+void CutEditor::change(const QString& text, std::function<void(SeamsFile&)> edit, int gesture) {
+    workspace_.changeLoading({text,
+                              [edit = std::move(edit)](LoadOptions& options) {
+                                  edit(options.seams);
+                                  giveIds(options.seams.cuts);
+                                  divideByWhatIsThere(options);
+                              },
+                              gesture});
 }
 
-Result<Problems> Workspace::readSeams(const std::filesystem::path& path) {
+Result<Problems> CutEditor::readSeams(const std::filesystem::path& path) {
     Problems notes;
     auto read = readSeamsFile(path, &notes);
     if (!read) {
         return read.error();
     }
-    changeLoading({tr("Load seams file"), [read = std::move(*read)](LoadOptions& options) {
-                       options.seams = read;
-                       options.seamSettings.clear();
-                       giveIds(options.seams.cuts);
-                       divideByWhatIsThere(options);
-                   }});
+    workspace_.changeLoading(
+        {tr("Load seams file"), [read = std::move(*read)](LoadOptions& options) {
+             options.seams = read;
+             options.seamSettings.clear();
+             giveIds(options.seams.cuts);
+             divideByWhatIsThere(options);
+         }});
     return notes;
 }
 
-Result<void> Workspace::writeSeams(const std::filesystem::path& path) const {
-    SeamsFile seams = loading().seams;
+Result<void> CutEditor::writeSeams(const std::filesystem::path& path) const {
+    SeamsFile seams = workspace_.loading().seams;
     if (document_.garment()) {
         const auto stated = easeByName(document_.garment()->seams);
         seams.ease.insert(stated.begin(), stated.end());
@@ -152,15 +171,15 @@ Result<void> Workspace::writeSeams(const std::filesystem::path& path) const {
     return writeFile(path, writeSeamsFile(seams));
 }
 
-std::optional<UserCut> Workspace::DrawnCut::image(const Progress& progress) const {
+std::optional<UserCut> CutEditor::DrawnCut::image(const Progress& progress) const {
     return symmetry ? mirroredCut(*garment, results, *symmetry, cut, progress) : std::nullopt;
 }
 
-void Workspace::addCut(UserCut cut, std::optional<int> piece, const QString& text) {
-    if (!document_.garment() || opening_.isActive()) {
-        return;  // it was drawn on what is about to go
+void CutEditor::add(UserCut cut, std::optional<int> piece, const QString& text) {
+    if (!openGarment()) {
+        return;  // it was drawn on a garment that is being replaced
     }
-    DrawnCut drawn{std::move(cut), document_.garment(), loading().seams};
+    DrawnCut drawn{std::move(cut), openGarment(), workspace_.loading().seams};
     drawn.isMirrored = mirrorsEdits(document_);
     const CutWords words = wordsOf(drawn.cut.kind);
     drawn.text =
@@ -169,20 +188,20 @@ void Workspace::addCut(UserCut cut, std::optional<int> piece, const QString& tex
         drawn.results = document_.results();
         drawn.symmetry = document_.derived().symmetry;
     }
-    if (!mirroring_.isBusy() && (!drawn.symmetry || isSmall(*drawn.garment))) {
-        makeCut(drawn, drawn.image());
+    if (!searches_.isBusy() && (!drawn.symmetry || isSmall(*drawn.garment))) {
+        make(drawn, drawn.image());
         return;
     }
-    mirroring_.start(makeJob(
+    searches_.start(makeJob(
         tr("Finding the mirror image of a cut"),
         [drawn](Progress& progress) -> Result<std::optional<UserCut>> {
             return drawn.image(progress);
         },
-        [this, drawn](std::optional<UserCut> image) { makeCut(drawn, std::move(image)); }));
+        [this, drawn](std::optional<UserCut> image) { make(drawn, std::move(image)); }));
 }
 
-void Workspace::makeCut(const DrawnCut& drawn, std::optional<UserCut> image) {
-    if (opening_.isActive()) {
+void CutEditor::make(const DrawnCut& drawn, std::optional<UserCut> image) {
+    if (!openGarment()) {
         return;
     }
     if (drawn.isMirrored && !image) {
@@ -192,7 +211,7 @@ void Workspace::makeCut(const DrawnCut& drawn, std::optional<UserCut> image) {
                 : tr("Cut on this side only: no mirror plane was found."));
     }
     const std::string stem = wordsOf(drawn.cut.kind).stem;
-    std::vector<UserCut> named = loading().seams.cuts;
+    std::vector<UserCut> named = workspace_.loading().seams.cuts;
     const auto finish = [&](UserCut& made) {
         made.name = freeName(named, stem, true);
         for (Eigen::Vector3d& point : made.points) {
@@ -203,24 +222,23 @@ void Workspace::makeCut(const DrawnCut& drawn, std::optional<UserCut> image) {
     UserCut cut = drawn.cut;
     finish(cut);
     if (!image) {
-        onTrial_.push_back({cut.name});
-        changeSeams(drawn.text,
-                    [cut = std::move(cut)](SeamsFile& seams) { seams.cuts.push_back(cut); });
+        pending_.push_back({cut.name});
+        change(drawn.text, [cut = std::move(cut)](SeamsFile& seams) { seams.cuts.push_back(cut); });
         return;
     }
     finish(*image);
-    onTrial_.push_back({cut.name, image->name});
-    changeSeams(tr("%1 on both sides").arg(drawn.text),
-                [cut = std::move(cut), image = std::move(*image)](SeamsFile& seams) {
-                    addMirroredCuts(seams.cuts, cut, image);
-                });
+    pending_.push_back({cut.name, image->name});
+    change(tr("%1 on both sides").arg(drawn.text),
+           [cut = std::move(cut), image = std::move(*image)](SeamsFile& seams) {
+               addMirroredCuts(seams.cuts, cut, image);
+           });
 }
 
-void Workspace::findCuts(const QString& text, bool isQuick,
-                         std::function<Result<std::vector<UserCut>>(Progress&)> find,
-                         std::function<void(std::vector<UserCut>)> found) {
-    if (!isQuick || mirroring_.isBusy()) {
-        mirroring_.start(makeJob(text, std::move(find), std::move(found)));
+void CutEditor::search(const QString& text, bool isQuick,
+                       std::function<Result<std::vector<UserCut>>(Progress&)> find,
+                       std::function<void(std::vector<UserCut>)> found) {
+    if (!isQuick || searches_.isBusy()) {
+        searches_.start(makeJob(text, std::move(find), std::move(found)));
         return;
     }
     Progress progress;
@@ -232,29 +250,22 @@ void Workspace::findCuts(const QString& text, bool isQuick,
     }
 }
 
-void Workspace::takeCuts(const QString& text, std::vector<UserCut> cuts) {
-    std::vector<UserCut> named = loading().seams.cuts;
-    for (UserCut& cut : cuts) {
-        cut.name = freeName(named, wordsOf(cut.kind).stem, true);
-        named.push_back(cut);
-    }
-    makeCuts(text, std::move(cuts));
-}
-
-void Workspace::makeCuts(const QString& text, std::vector<UserCut> cuts, int gesture) {
-    if (!document_.garment() || opening_.isActive() || cuts.empty()) {
+void CutEditor::makeAll(const QString& text, std::vector<UserCut> cuts, int gesture) {
+    if (!openGarment() || cuts.empty()) {
         return;
     }
-    std::vector<UserCut> named = loading().seams.cuts;
+    std::vector<UserCut> named = workspace_.loading().seams.cuts;
     for (UserCut& cut : cuts) {
-        cut.name = freeName(named, cut.name, false);
-        onTrial_.push_back({cut.name});
+        // Unnamed ones are called by their kind.
+        cut.name =
+            freeName(named, cut.name.empty() ? wordsOf(cut.kind).stem : cut.name, cut.name.empty());
+        pending_.push_back({cut.name});
         for (Eigen::Vector3d& point : cut.points) {
-            point = inFileSpace(point, loading().seams, *document_.garment());
+            point = inFileSpace(point, workspace_.loading().seams, *document_.garment());
         }
         named.push_back(cut);
     }
-    changeSeams(
+    change(
         text,
         [cuts = std::move(cuts)](SeamsFile& seams) {
             seams.cuts.insert(seams.cuts.end(), cuts.begin(), cuts.end());
@@ -262,15 +273,15 @@ void Workspace::makeCuts(const QString& text, std::vector<UserCut> cuts, int ges
         gesture);
 }
 
-void Workspace::sayOvertaken() {
+void CutEditor::refuseStale() {
     if (document_.garment()) {
         emit refused(tr("The garment changed before the cut was found. Cut again."));
     }
 }
 
-void Workspace::cutOpen(const std::vector<int>& pieces) {
-    const auto garment = document_.garment();
-    if (!garment || opening_.isActive() || pieces.empty()) {
+void CutEditor::openPieces(const std::vector<int>& pieces) {
+    const auto garment = openGarment();
+    if (!garment || pieces.empty()) {
         return;
     }
     std::vector<std::pair<std::shared_ptr<const Piece>, bool>> chosen;
@@ -291,31 +302,31 @@ void Workspace::cutOpen(const std::vector<int>& pieces) {
                 failed = cuts.error();
             }
         }
-        // Those that can be opened are, as their findings then tell of the others.
+        // Open those that can be opened: findings tell about the others.
         if (failed && (all.empty() || progress.isCancelled())) {
             return *failed;
         }
         return all;
     };
-    findCuts(tr("Finding cuts"), triangles <= kQuickTriangles, find,
-             [this, garment](std::vector<UserCut> cuts) {
-                 if (document_.garment() == garment && !opening_.isActive()) {
-                     takeCuts(tr("Cut open"), std::move(cuts));
-                 } else {
-                     sayOvertaken();
-                 }
-             });
+    search(tr("Finding cuts"), triangles <= kQuickTriangles, find,
+           [this, garment](std::vector<UserCut> cuts) {
+               if (openGarment() == garment) {
+                   makeAll(tr("Cut open"), std::move(cuts));
+               } else {
+                   refuseStale();
+               }
+           });
 }
 
-void Workspace::cutAround(int piece, const SurfacePoint& place) {
-    const auto garment = document_.garment();
-    if (!garment || opening_.isActive()) {
+void CutEditor::cutAround(int piece, const SurfacePoint& place) {
+    const auto garment = openGarment();
+    if (!garment) {
         return;
     }
     const auto of = garment->pieces[static_cast<std::size_t>(piece)];
     const bool isWhole = std::ranges::find(garment->uncut, of) != garment->uncut.end();
     const auto find = [of, isWhole, place](Progress& progress) -> Result<std::vector<UserCut>> {
-        constexpr int kPlaces = 8, kPlacesBesideCuts = 64;  // a shortest way may run across those
+        constexpr int kPlaces = 8, kPlacesBesideCuts = 64;  // shortest paths may cross those
         const SurfaceLinks links(of->mesh, of->table);
         const auto loop = loopAround(links, place, progress);
         if (!loop) {
@@ -327,24 +338,24 @@ void Workspace::cutAround(int piece, const SurfacePoint& place) {
              placesAlong(of->mesh, *loop, isWhole ? kPlaces : kPlacesBesideCuts),
              false}};
     };
-    findCuts(tr("Finding a closed loop"), of->mesh.F.rows() <= kQuickTriangles, find,
-             [this, garment](std::vector<UserCut> cuts) {
-                 if (document_.garment() == garment) {
-                     addCut(std::move(cuts.front()));
-                 } else {
-                     sayOvertaken();
-                 }
-             });
+    search(tr("Finding a closed loop"), of->mesh.F.rows() <= kQuickTriangles, find,
+           [this, garment](std::vector<UserCut> cuts) {
+               if (document_.garment() == garment) {
+                   add(std::move(cuts.front()));
+               } else {
+                   refuseStale();
+               }
+           });
 }
 
-void Workspace::dartToSeam(int seam) {
-    const auto garment = document_.garment();
-    if (!garment || opening_.isActive() || !document_.isCurrent()) {
+void CutEditor::dartToSeam(int seam) {
+    const auto garment = openGarment();
+    if (!garment || !document_.isCurrent()) {
         return;
     }
     if (auto cut = cutBeyondDart(*garment, document_.results(), seam)) {
         const int piece = garment->seams.seams[static_cast<std::size_t>(seam)].left.piece;
-        addCut(std::move(*cut), piece, tr("Turn dart in %1 into seam"));
+        add(std::move(*cut), piece, tr("Turn dart in %1 into seam"));
     } else {
         const Seam& dart = garment->seams.seams[static_cast<std::size_t>(seam)];
         emit refused(tr("%1 cannot become a seam: its tip points at no edge of its piece.")
@@ -352,23 +363,19 @@ void Workspace::dartToSeam(int seam) {
     }
 }
 
-std::optional<CutId> Workspace::cutBeyond(int seam) const {
+std::optional<CutId> CutEditor::cutBeyond(int seam) const {
     const auto garment = document_.garment();
     return garment ? cutBeyondTip(*garment, seam) : std::nullopt;
 }
 
-bool Workspace::isSeamOfDart(int seam) const {
-    return cutBeyond(seam).has_value();
-}
-
-void Workspace::seamToDart(int seam) {
+void CutEditor::seamToDart(int seam) {
     const auto cut = cutBeyond(seam);
-    if (cut && !opening_.isActive()) {
-        changeSeams(tr("Turn %1 into dart").arg(seamName(document_, seam)), removalOf({*cut}));
+    if (cut && openGarment()) {
+        change(tr("Turn %1 into dart").arg(seamName(document_, seam)), removalOf({*cut}));
     }
 }
 
-std::function<void(SeamsFile&)> Workspace::removalOf(std::vector<CutId> cuts) const {
+std::function<void(SeamsFile&)> CutEditor::removalOf(std::vector<CutId> cuts) const {
     return [cuts = std::move(cuts), both = mirrorsEdits(document_)](SeamsFile& seams) {
         const std::vector<CutId> gone = both ? withMirrorImages(seams.cuts, cuts) : cuts;
         std::erase_if(seams.cuts, [&gone](const UserCut& cut) {
@@ -377,9 +384,9 @@ std::function<void(SeamsFile&)> Workspace::removalOf(std::vector<CutId> cuts) co
     };
 }
 
-void Workspace::joinSeam(int seam) {
-    const auto garment = document_.garment();
-    if (!garment || opening_.isActive()) {
+void CutEditor::joinSeam(int seam) {
+    const auto garment = openGarment();
+    if (!garment) {
         return;
     }
     const Seam& chosen = garment->seams.seams[static_cast<std::size_t>(seam)];
@@ -401,40 +408,36 @@ void Workspace::joinSeam(int seam) {
         }
     }
     if (!chosen.cuts.empty()) {
-        changeSeams(textOfRemoval(loading().seams, chosen.cuts), removalOf(chosen.cuts));
+        change(textOfRemoval(workspace_.loading().seams, chosen.cuts), removalOf(chosen.cuts));
         return;
     }
     UserJoin join = joinAlong(chosen, garment->pieces);
-    join.name = freeName(loading().seams.joins, join.name, false);
+    join.name = freeName(workspace_.loading().seams.joins, join.name, false);
     for (Eigen::Vector3d& point : join.points) {
-        point = inFileSpace(point, loading().seams, *garment);
+        point = inFileSpace(point, workspace_.loading().seams, *garment);
     }
-    onTrial_.push_back({join.name});
-    changeSeams(tr("Join %1").arg(seamName(document_, seam)),
-                [join = std::move(join)](SeamsFile& seams) { seams.joins.push_back(join); });
+    pending_.push_back({join.name});
+    change(tr("Join %1").arg(seamName(document_, seam)),
+           [join = std::move(join)](SeamsFile& seams) { seams.joins.push_back(join); });
 }
 
-void Workspace::removeCut(CutId id) {
-    if (opening_.isActive()) {
-        return;  // what comes may be the same garment, cut in another way
+void CutEditor::remove(CutId id) {
+    if (workspace_.isOpening()) {
+        return;  // the garment that comes may be the same one with other cuts
     }
-    changeSeams(textOfRemoval(loading().seams, {id}), removalOf({id}));
+    change(textOfRemoval(workspace_.loading().seams, {id}), removalOf({id}));
 }
 
-void Workspace::removeJoin(const std::string& name) {
-    if (opening_.isActive()) {
+void CutEditor::removeJoin(const std::string& name) {
+    if (workspace_.isOpening()) {
         return;
     }
-    changeSeams(tr("Remove join %1").arg(QString::fromStdString(name)), [name](SeamsFile& seams) {
+    change(tr("Remove join %1").arg(QString::fromStdString(name)), [name](SeamsFile& seams) {
         const auto join = std::ranges::find(seams.joins, name, &UserJoin::name);
         if (join != seams.joins.end()) {
             seams.joins.erase(join);
         }
     });
-}
-
-void Workspace::setEase(int seam, std::optional<double> ease) {
-    document_.setSeamEase(seam, ease);
 }
 
 }  // namespace toile::app
