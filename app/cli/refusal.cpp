@@ -15,7 +15,8 @@ constexpr ExitMeaning kExitMeanings[] = {
      "cloth would be cut wrong, and all files are written: a piece failed or has no usable cut, "
      "its outline crosses itself, triangles are flipped, or, where no fabric is chosen, its mean "
      "strain is above 6 % or 5 % of its area is strained by more than 25 %; check or prove found "
-     "faults, walk unequal lengths, compare a piece without a partner, marker a piece without "
+     "faults, prove could not settle, walk unequal lengths, compare a piece without a partner, "
+     "marker a piece without "
      "room; or with --fail-on doubt there is a doubt"},
     {"2", "wrong usage"},
     {"3", "a file cannot be read or written, memory did not suffice, or the window has no display"},

@@ -68,7 +68,7 @@ TEST(PatternsPage, TheWalkOfTheShirtIsThatOfTheProgram) {
                       error <= 1e-6 ? "0.000001 or less" : "more");
         table += row;
     }
-    test::expectFiguresInDocs("patterns.md", "walk", table);
+    test::expectFiguresInDocs("seams.md", "walk", table);
 }
 
 TEST(FairOption, StandsAloneOrWithItsNumbers) {
