@@ -4249,13 +4249,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
 </context>
 <context>
-    <name>toile::SvgReader</name>
-    <message>
-        <source>a number has a decimal comma, &quot;%1&quot;; numbers need decimal points</source>
-        <translation>eine Zahl hat ein Dezimalkomma, „%1“; Zahlen brauchen Dezimalpunkte</translation>
-    </message>
-</context>
-<context>
     <name>toile::app</name>
     <message>
         <source>&amp;Open…</source>

@@ -103,12 +103,12 @@ private slots:
         fixture_.action(ActionId::OverlayWeft).trigger();
         auto& bar = fixture_.find<ColourBar>("colourBar");
         QTRY_VERIFY_WITH_TIMEOUT(fixture_.window().views().isUpToDate(), test::kPatience);
-        QVERIFY2(!bar.summary().contains("fabric"), qPrintable(bar.summary()));
+        QVERIFY2(!bar.summary().contains("limits"), qPrintable(bar.summary()));
         QTest::keyClick(&preset(), Qt::Key_Down);
         QVERIFY(document().fabric() == *fabricPreset("woven"));
         QVERIFY(!fixture_.find<QLabel>("fabricUnstated").isVisible());
         QVERIFY(field("fabricWarpMost").isVisible());
-        QTRY_VERIFY_WITH_TIMEOUT(bar.summary().contains("fabric"), test::kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(bar.summary().contains("limits"), test::kPatience);
         undo();
         QVERIFY(!field("fabricWarpMost").isVisible());
         QTest::keyClick(&preset(), Qt::Key_End);  // Custom begins with a woven's limits

@@ -321,7 +321,7 @@ private slots:
         view().setFocus();
         QTest::keyClick(&view(), Qt::Key_R);
         QCOMPARE(plan().kept.size(), kept);
-        QVERIFY(find<QLabel>("markerSaid").text().contains("one way"));
+        QVERIFY(find<QLabel>("markerSaid").text().contains("one direction"));
     }
 
     void theHandleTurnsWithinTheTolerance() {

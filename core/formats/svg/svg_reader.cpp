@@ -40,6 +40,13 @@ std::string hexColour(const std::array<double, 3>& parts) {
     return text;
 }
 
+Error decimalComma(std::string_view number) {
+    return {ErrorCode::MalformedFile,
+            {},
+            worded("a number has a decimal comma, \"%1\"; numbers need decimal points",
+                   {readableName(number)})};
+}
+
 /// Converts "#f00" and "rgb(255, 0, 0)" to "#ff0000"; other words to lower case.
 std::string colourText(std::string_view value) {
     std::string text(trimmed(value).substr(0, kLongestColour));
@@ -280,10 +287,7 @@ public:
         noteComma(svg);
         walk(svg, std::move(whole));
         if (!comma_.empty()) {
-            return Error{ErrorCode::MalformedFile,
-                         {},
-                         worded("a number has a decimal comma, \"%1\"; numbers need decimal points",
-                                {readableName(comma_)})};
+            return decimalComma(comma_);
         }
         if (most_ == 0) {
             return Error{ErrorCode::MalformedFile, {}, "it has too many points"};

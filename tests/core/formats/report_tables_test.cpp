@@ -62,7 +62,8 @@ TEST(HtmlReport, IsWellFormedAndHoldsDrawingAndTables) {
     ASSERT_TRUE(parsed) << parsed.description() << xml.substr(parsed.offset, 100);
     const pugi::xml_node body = document.child("body");
     EXPECT_TRUE(body.child("figure").child("svg"));
-    EXPECT_EQ(std::distance(body.children("h2").begin(), body.children("h2").end()), 3);
+    EXPECT_EQ(std::distance(body.children("h2").begin(), body.children("h2").end()), 4);
+    EXPECT_NE(page.find("<h2>Free edges</h2>"), std::string::npos);
     EXPECT_EQ(page.find("http://www.w3.org/TR"), std::string::npos);
     EXPECT_EQ(page.find("<script"), std::string::npos);
 }

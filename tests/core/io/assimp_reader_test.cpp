@@ -70,6 +70,10 @@ std::string fbxWithUnit(const std::string& centimetres, const std::string& more 
            "  Version: 232\n }\n}\nConnections:  {\n C: \"OO\",1001,1002\n C: \"OO\",1002,0\n}\n";
 }
 
+std::string bytesOfFloats(const std::vector<float>& values) {
+    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)};
+}
+
 class AssimpReader : public testing::Test {
 protected:
     Result<PolygonSoup> readAs(const std::string& fileName, const std::string& text) {
@@ -151,12 +155,18 @@ TEST_F(AssimpReader, GltfIsInMetres) {
 TEST_F(AssimpReader, AVrmIsReadAsAGlb) {
     // A binary glTF is a header, the JSON, and the buffer.
     std::string json = kGltf;
+    const std::size_t uri = json.find(R"(, "uri")");
+    json.replace(uri, json.find('}', uri) - uri, "");
     json.resize((json.size() + 3) / 4 * 4, ' ');
+    const std::string buffer =
+        bytesOfFloats({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1,
+                       0, 1, 1, 0, 0, 1, 1, 0, 1, 0, 0, 1, 0, 1, 1, 5, 0, 6, 1, 5, 1});
     const auto word = [](std::size_t number) {
         return bytesOf(static_cast<std::uint32_t>(number));
     };
-    const std::string glb =
-        "glTF" + word(2) + word(20 + json.size()) + word(json.size()) + "JSON" + json;
+    const std::string glb = "glTF" + word(2) + word(28 + json.size() + buffer.size()) +
+                            word(json.size()) + "JSON" + json + word(buffer.size()) +
+                            std::string("BIN\0", 4) + buffer;
     const auto binary = readAs("a.glb", glb), avatar = readAs("a.VRM", glb);
     ASSERT_TRUE(binary) << sentence(binary.error());
     ASSERT_TRUE(avatar) << sentence(avatar.error());
@@ -213,10 +223,6 @@ constexpr const char* kGltfWithBuffer =
                "min": [0, 0, 0], "max": [1, 1, 0]}],
 "bufferViews": [{"buffer": 0, "byteLength": 36}],
 "buffers": [{"byteLength": 36, "uri": "my%20yoke.bin"}]})";
-
-std::string bytesOfFloats(const std::vector<float>& values) {
-    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)};
-}
 
 TEST_F(AssimpReader, AGltfIsKnownByTheBytesOfItsBuffersToo) {
     const auto hashWith = [this](const std::vector<float>& corners) {
