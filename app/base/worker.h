@@ -120,11 +120,11 @@ private:
     std::shared_ptr<const Value> latest_;
 };
 
-/// Keeps an answer up to date: works on the question asked last, on another thread, and hands the
-/// answer over on the window's. Asking what was asked last does nothing. Work that takes a Progress
-/// is cancelled when something else is asked, and its answer dropped; other work is finished, and
-/// its answer handed over as an older one. `isSameQuestion` says which questions have one answer,
-/// where `==` does not. GUI thread only.
+/// Keeps an answer up to date: computes the answer to the latest question on a worker thread and
+/// delivers it on the GUI thread. Asking the latest question again does nothing. A new question
+/// cancels work that takes a Progress and drops its answer; other work finishes, and its answer is
+/// delivered as an older one. `isSameQuestion` compares questions if `==` does not fit. GUI thread
+/// only.
 template <class Question, class Answer>
 class Follower {
 public:

@@ -27,9 +27,9 @@ namespace toile::app {
 
 struct ShownProof;
 
-/// The open garment: the user's decisions (`state`), and what is shown of everything that follows
-/// from them (`derived`). That is of the present state if `isCurrent`, else of an earlier one until
-/// a job has derived it (`show`). All values are immutable and shared, so that a snapshot for a job
+/// The open garment: the user's decisions (`state`), and the values computed from them (`derived`).
+/// These belong to the present state if `isCurrent`, otherwise to an earlier one until a job has
+/// computed new ones (`show`). All values are immutable and shared, so that a snapshot for a job
 /// is cheap. A change of the state is a step of the history (`edit`); selection and view are not.
 /// Every change emits `changed` once. GUI thread only.
 class Document : public QObject {

@@ -25,7 +25,7 @@ using PieceGrains = std::map<int, std::optional<double>>;
 std::vector<int> selectedFlat(const Document& document);
 /// All flat pieces.
 std::vector<int> allFlat(const Document& document);
-/// The selected ones, or all if none is selected.
+/// The selected flat pieces, or all if none is selected.
 std::vector<int> selectedOrAllFlat(const Document& document);
 
 /// Seam line and cutting line of a piece in its own coordinates; empty if it is not flat.

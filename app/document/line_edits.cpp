@@ -22,7 +22,7 @@ namespace toile::app {
 
 namespace {
 
-/// Places on a line that differ by less count as one.
+/// Places on a line are equal if they differ by less.
 constexpr double kSameShare = 1e-7;
 
 /// Whether both stretches cover more than half of each other.
@@ -155,7 +155,7 @@ DartLay mirroredLay(DartLay lay) {
     return lay == DartLay::First ? DartLay::Second : DartLay::First;
 }
 
-/// Places on a line, and shares of a seam, that are closer than this count as one.
+/// Places on a line, and shares of a seam, are equal if they differ by less.
 constexpr double kSamePart = 1e-6;
 
 bool isFirst(const SeamNotch& one, const SeamNotch& other) {

@@ -13,7 +13,7 @@ namespace toile::app {
 
 namespace {
 
-/// Places on an outline closer than this count as one, mm.
+/// Places on an outline are equal if they differ by less, mm.
 constexpr double kSamePlace = 1e-3;
 
 const PieceResult* shownOf(const Garment& garment, const PieceResults& results, std::size_t piece) {

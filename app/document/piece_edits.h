@@ -30,9 +30,10 @@ void setQuantity(Document& document, const std::vector<int>& pieces, int quantit
 /// @param isPair  each of them is also cut mirrored
 void setMirroredPair(Document& document, const std::vector<int>& pieces, bool isPair);
 
-/// @param material  what they are cut from, at most kMaxLabelText characters, blanks simplified;
-///                  empty: the garment's own fabric, which a new material also begins with. A
-///                  material that no piece uses is removed, unless it has a fabric of its own.
+/// @param material  the name, at most kMaxLabelText characters; repeated blanks become one. Empty:
+/// the
+///                  garment's own fabric. A new material starts with that fabric. A material
+///                  that no piece uses is removed, unless it has a fabric of its own.
 void setMaterial(Document& document, const std::vector<int>& pieces, const QString& material);
 
 /// Selects these pieces and all visible ones of the same material, or of the same layer of cloth

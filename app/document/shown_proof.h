@@ -18,8 +18,8 @@ struct SewnCloth;
 /// reference pattern is not open.
 ProofPlan proofPlanOf(const DocumentState& state);
 
-/// Everything of a document that a proof depends on: not places on the sheet, names, nor what is
-/// drawn beside the seam line (allowances, notches, internal lines, texts). Flat pieces are
+/// The parts of a document that a proof depends on. Positions on the sheet, names, allowances,
+/// notches, internal lines and texts do not belong to it. Flat pieces are
 /// compared by their points, so that a proof of settled ones stays valid when they replace warm
 /// ones. Other large parts are compared by pointer.
 struct ProofGround {

@@ -125,8 +125,8 @@ struct ViewState {
     bool operator==(const ViewState&) const = default;
 };
 
-/// The view of a garment opened after another one: default, but for the aids of the sheet, which
-/// the user has chosen.
+/// The view of a garment that is opened after another one: the default, with the rulers, grid and
+/// snapping that the user has chosen.
 inline ViewState viewOfNext(const ViewState& before) {
     ViewState view;
     view.rulers = before.rulers;

@@ -26,7 +26,7 @@ class Document;
 std::unique_ptr<Job> readingJob(std::vector<std::filesystem::path> paths,
                                 std::function<void(ReadFiles)> done);
 
-/// Reads files as one garment, with the scene until it is flat.
+/// Reads files as one garment, and makes the scene that shows it until it is flat.
 std::unique_ptr<Job> importJob(std::vector<std::filesystem::path> paths, LoadOptions loading,
                                std::function<void(Derived)> done);
 

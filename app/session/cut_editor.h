@@ -40,7 +40,7 @@ public:
     /// @param text   for the undo menu, with %1 for the piece; empty: the usual text
     void add(UserCut cut, std::optional<int> piece = {}, const QString& text = {});
     /// Makes cuts as one step of the history. They keep their names, with a number if another cut
-    /// has the name; unnamed ones are called by their kind.
+    /// has the same name; the others are named after their kind.
     /// @param cuts     their points in mm, as the pieces are
     /// @param gesture  as for Document::edit
     void makeAll(const QString& text, std::vector<UserCut> cuts, int gesture = -1);

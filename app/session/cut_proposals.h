@@ -34,10 +34,9 @@ struct AdviceQuestion {
     bool operator==(const AdviceQuestion&) const = default;
 };
 
-/// Cuts that Toile proposes for one piece, from when the user asks for them until they are closed:
-/// what is known of each, which ones are ticked, which one is selected, and which handles were
-/// moved. None of it is in the history; applied cuts are the user's own. Asks again when the
-/// garment is edited, and closes when the piece is gone. GUI thread only.
+/// Cuts that Toile proposes for one piece: the figures of each cut, ticks, selection, and moved
+/// handles. None of this is in the history; cuts that are made become the user's own. Computes new
+/// proposals when the garment is edited, and closes when the piece is gone. GUI thread only.
 class CutProposals : public QObject {
     Q_OBJECT
 
@@ -84,7 +83,7 @@ public:
     bool isFrontSwapped() const { return question_.options.isFrontSwapped; }
     void swapFront();
 
-    /// Applies the ticked cuts as one step of the history, and closes.
+    /// Makes the ticked cuts as one step of the history, and closes.
     void makeTaken();
     /// Applies one cut as a step of its own; the other proposals stay.
     void make(std::size_t cut);

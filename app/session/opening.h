@@ -29,7 +29,7 @@ public:
         LoadOptions loading;
     };
 
-    /// Something unspecified is read; replaces what was read before.
+    /// Files are being read; replaces an earlier reading.
     void begin() {
         files_.reset();
         active_ = true;

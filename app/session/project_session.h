@@ -50,7 +50,8 @@ public:
     ///                   written here: by default keep it and emit `changedByOthers`
     void save(const Path& path, std::function<void()> then = {},
               IfChanged ifChanged = IfChanged::Ask);
-    /// Calls `then` when the file being written is written, unless that fails; at once if none is.
+    /// Calls `then` after the file is written, but not if that fails; at once if nothing is being
+    /// written.
     void whenSaved(std::function<void()> then);
 
 signals:

@@ -53,8 +53,8 @@ public:
     }
     /// Resets a declined request: the user has undone a step.
     void retry();
-    /// Begins what is due, unless it is running, and stops anything else. Do not call it while
-    /// other jobs change the state: it replaces them.
+    /// Starts the work that is due, unless it is running, and stops other work. Do not call it
+    /// while other jobs change the state: it replaces them.
     void catchUp();
     /// Other jobs replace the running one.
     void yield() { ticket_ = 0; }

@@ -57,8 +57,8 @@ public:
     /// of a proposed cut, else the last step.
     void undo();
     bool canUndo() const;
-    /// Calls `then` when all files are written, unless that fails; at once if none is being
-    /// written. A later call replaces an earlier one.
+    /// Calls `then` after all files are written, but not if that fails; at once if nothing is
+    /// being written. A later call replaces an earlier one.
     void whenWritten(std::function<void()> then);
     /// Cancels all jobs, finishes writing and waits; nothing is announced any more.
     void shutdown();
@@ -76,16 +76,17 @@ public:
     /// Files of the open garment.
     Paths openPaths() const;
 
-    /// Reads the files as one garment and flattens it. Cancels whatever is running. If the files
-    /// are others than before, settings of reading start afresh: unit, up axis, kind of files,
-    /// cuts, ease, and automatic cuts belong to the garment before.
+    /// Reads the files as one garment and flattens it. Cancels whatever is running. Other files
+    /// start with default settings of reading: unit, up axis, kind of files, cuts, ease and
+    /// automatic cuts of the previous garment are cleared.
     void open(Paths files);
     /// How lines of newly opened garments are drawn; projects have their own setting.
     void setNewLines(LineSettings lines) { newLines_ = std::move(lines); }
     /// Runs a job that reads a garment and then calls one of the next two functions. Cancels
     /// whatever is running; changes of the reading wait until it is open.
     void openBy(std::unique_ptr<Job> reading);
-    /// @param open  opens what was read; called at once, or after the user agrees to lose edits
+    /// @param open  opens the garment that was read; called at once, or after the user agrees to
+    /// lose edits
     ///              made while it was read (`askBeforeLeaving`)
     void arrived(std::function<void()> open);
     void notOpened();
