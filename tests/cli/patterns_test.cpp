@@ -214,7 +214,9 @@ TEST(AllowanceOption, AloneAddsNothingElse) {
         EXPECT_EQ(piece["area_2d"], bare["pieces"][p]["area_2d"]);
         EXPECT_FALSE(piece.contains("notches") || piece.contains("line"));
         for (const Json& segment : piece["segments"]) {
-            EXPECT_TRUE(segment["allowance"] == 25 || segment["allowance"] == 10);
+            const bool isHem = segment.value("edge", "") == "hem";
+            EXPECT_TRUE(segment["allowance"] == (isHem ? 25 : 10) ||
+                        segment.contains("limited_by"));
         }
     }
     EXPECT_FALSE(bare["pieces"][0].contains("segments"));
