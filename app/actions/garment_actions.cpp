@@ -77,7 +77,11 @@ void GarmentActions::connectState() {
 }
 
 void GarmentActions::follow(const DocumentChange* what) {
-    actions_.followChecked(workspace_);
+    // What shows in check marks, apart from settings of reading.
+    if (!what || what->touches(DocumentChange::View, &DocumentState::options, &DocumentState::lines,
+                               &Derived::results, &Derived::symmetry)) {
+        actions_.followChecked(workspace_);
+    }
     actions_.followEnabled(workspace_, what);
 }
 

@@ -3,7 +3,6 @@
 
 #include <QGridLayout>
 #include <QLabel>
-#include <QStackedLayout>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <initializer_list>
@@ -53,10 +52,13 @@ SelectionPanel::SelectionPanel(Document& document, const ActionRegistry& actions
       segment_(new SegmentForm(document, this)),
       garmentPage_(makeGarmentPage()),
       piecePage_(makePiecePage()),
-      edgePage_(makeEdgePage()),
-      pages_(new QStackedLayout(this)) {
+      edgePage_(makeEdgePage()) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
     for (QWidget* page : {garmentPage_, piecePage_, edgePage_}) {
-        pages_->addWidget(page);
+        column->addWidget(page);
+        // As wide as the widest page, so that the dock stays still.
+        setMinimumWidth(std::max(minimumWidth(), page->minimumSizeHint().width()));
     }
     connect(&document_, &Document::changed, this, &SelectionPanel::onChanged);
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &SelectionPanel::refresh);
@@ -130,16 +132,13 @@ void SelectionPanel::refresh() {
 
 void SelectionPanel::showPage(QWidget& shown) {
     for (QWidget* page : {garmentPage_, piecePage_, edgePage_}) {
-        // As wide as the widest page, so that the dock stays still, but no higher than needed.
-        page->setSizePolicy(QSizePolicy::Preferred,
-                            page == &shown ? QSizePolicy::Preferred : QSizePolicy::Ignored);
+        page->setVisible(page == &shown);
     }
-    pages_->setCurrentWidget(&shown);
 }
 
 void SelectionPanel::showEdge() {
     dart_->refresh();
-    if (isStale_ || pages_->currentWidget() != edgePage_) {
+    if (isStale_ || edgePage_->isHidden()) {
         segment_->clear();
         facts_ = {};
         return;

@@ -7,7 +7,6 @@
 #include "app/document/line_facts.h"
 
 class QLabel;
-class QStackedLayout;
 
 namespace toile::app {
 
@@ -49,7 +48,6 @@ private:
     DartForm* dart_;
     SegmentForm* segment_;
     QWidget *garmentPage_, *piecePage_, *edgePage_;
-    QStackedLayout* pages_;
     LineFacts facts_;  ///< while the edge page is shown
     bool isStale_ = true;
 };

@@ -22,7 +22,7 @@ QScrollArea* makeArea(QWidget& contents, QWidget* parent) {
 QScrollArea* scrolledColumn(QWidget& contents, QWidget* parent) {
     QScrollArea* area = makeArea(contents, parent);
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setMinimumWidth(contents.minimumSizeHint().width() +
+    area->setMinimumWidth(contents.minimumSizeHint().expandedTo(contents.minimumSize()).width() +
                           area->verticalScrollBar()->sizeHint().width());
     return area;
 }

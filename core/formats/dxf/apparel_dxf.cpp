@@ -105,6 +105,9 @@ std::vector<std::string> styleTexts(const ExportSource& source) {
     texts.push_back(textOf("Sample Size", sizeOf(source)));
     texts.push_back(textOf("Grade Rule Table", options.ruleTable ? styleName(source) : ""));
     texts.push_back(textOf("Units", unitsOf(source)));
+    if (options.unit != LengthUnit::Inch) {  // METRIC is mm, but programs use it for cm, too
+        texts.push_back(textOf("Unit", std::string(symbol(options.unit))));
+    }
     texts.push_back(textOf(isAstm ? "Curve Tolerance" : "Tolerance", curveTolerance(source)));
     if (isAstm) {
         texts.push_back(textOf("ASTM/D13 Proposal 1 Version", "D6673-10"));

@@ -459,6 +459,11 @@ DxfUnit dxfUnit(const DxfDocument& document, const std::string& units, double ex
         return judged(LengthUnit::Inch, worded("its text says Units: %1", {Wording(units)}),
                       extent);
     }
+    for (const LengthUnit unit : {LengthUnit::Millimetre, LengthUnit::Centimetre}) {
+        if (word == symbol(unit)) {
+            return judged(unit, worded("its text says Unit: %1", {Wording(units)}), extent);
+        }
+    }
     const auto header = headerUnit(document);
     if (word.starts_with("metric")) {
         // Some programs draw METRIC files in centimetres (two of CLO 2024, nests of Optitex).

@@ -111,7 +111,7 @@ struct DxfUnit {
 /// The unit that $INSUNITS names; none if it is missing or unknown.
 std::optional<LengthUnit> headerUnit(const DxfDocument& document);
 
-/// @param units   the value of the text "Units"; empty if missing
+/// @param units   the value of the text "Unit", which Toile writes, or else "Units"; or empty
 /// @param extent  of the largest piece, in the file's unit; 0 if unknown
 DxfUnit dxfUnit(const DxfDocument& document, const std::string& units, double extent);
 

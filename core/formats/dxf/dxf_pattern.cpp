@@ -535,7 +535,8 @@ Result<PatternFile> readDxfPattern(std::string_view bytes, std::optional<FileUni
         }
         // The unit is not known yet, so ends are joined as if it were mm; the extent does not
         // depend on that.
-        const DxfUnit found = dxfUnit(*document, styleField(fields, "units"),
+        const bool isExact = fields.contains("unit");
+        const DxfUnit found = dxfUnit(*document, styleField(fields, isExact ? "unit" : "units"),
                                       extentOf(piecesOf(*document, 1, ignored)));
         file.unit = found.unit;
         file.unitReason = found.reason;

@@ -262,6 +262,12 @@ TEST(DxfPattern, JudgesTheUnitByWhatItSaysAndByTheSize) {
         EXPECT_NEAR(geometry::perimeterOf(file.pieces.front().cut), 4 * side * millimetresPer(unit),
                     1e-3);
     }
+    const std::string metric = squareFile(100, "METRIC"), text = "Units: METRIC";
+    for (const LengthUnit unit : {LengthUnit::Millimetre, LengthUnit::Centimetre}) {
+        std::string own = metric;  // as Toile writes it
+        own.replace(own.find(text), text.size(), "Unit: " + std::string(symbol(unit)));
+        EXPECT_EQ(readAll(own).unit, unit);
+    }
     const PatternFile stated = readAll(squareFile(600, "METRIC"), LengthUnit::Inch);
     EXPECT_NEAR(geometry::perimeterOf(stated.pieces.front().cut), 4 * 600 * 25.4, 1e-6);
     EXPECT_FALSE(stated.unitInDoubt);
