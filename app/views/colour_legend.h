@@ -33,7 +33,7 @@ struct ColourLegend {
     /// Text for tests and screen readers: "Strain along warp: −1 % to +2 %; 12 % of the cloth is
     /// beyond the fabric along the warp".
     QString summary() const;
-    /// "all of the cloth is within the fabric along the warp". Names the counted strain, because
+    /// "all cloth is within the warp limits". Names the counted strain, because
     /// other directions can differ. Equals the sum of the displayed end shares. Empty if the fabric
     /// has no limits or nothing is flat yet.
     QString shareSentence() const;
