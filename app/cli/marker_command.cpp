@@ -178,7 +178,7 @@ void printMarker(const ClothMarker& marker, const Pattern& pattern, const Marker
 
 Result<void> writeMarker(const Arguments& arguments, const Garment& garment,
                          const PieceResults& results, const MadeMarker& made,
-                         const std::string& ending, std::ostream& out) {
+                         const std::string& ending, std::ostream& out, Messages& messages) {
     const ClothMarker& marker = made.marker;
     const DrawnMarker drawn =
         drawMarker(*made.pattern, marker, made.settings, {clothSentence(marker)});
@@ -196,6 +196,9 @@ Result<void> writeMarker(const Arguments& arguments, const Garment& garment,
                 out << "; " << readBackSentence(*written->readBack);
             }
             out << '\n';
+        }
+        for (const Wording& note : written->notes) {
+            messages.add(shownText(note));
         }
     }
     return {};
@@ -303,8 +306,8 @@ int runMarker(const Arguments& arguments, std::ostream& out, Messages& messages)
         const ClothMarker& marker = markers.back().marker;
         printMarker(marker, *pattern, typed, out, messages);
         status = marker.isWhole ? status : kExitSomeFailed;
-        if (const auto written =
-                writeMarker(arguments, *garment, results, markers.back(), endings[k], out);
+        if (const auto written = writeMarker(arguments, *garment, results, markers.back(),
+                                             endings[k], out, messages);
             !written) {
             return refuse(written.error(), messages);
         }

@@ -402,6 +402,9 @@ ServeOutcome ServeSession::State::write(const ServeRequest& request, Progress& p
                                                ? Json(readBackSentence(*written->readBack))
                                                : Json(nullptr)}});
         }
+        for (const Wording& note : written->notes) {
+            files.back()["notes"].push_back(text(note));
+        }
     }
     pattern = std::move(settled);
     return Json{{"files", std::move(files)}};

@@ -15,6 +15,7 @@ LineSettings linesOfCloth(LineSettings lines) {
     lines.label = {};
     for (SegmentSettings& segment : lines.segments) {
         segment.allowance.reset();
+        segment.edge.reset();
         segment.corner.reset();
     }
     std::erase_if(lines.segments, [](const auto& segment) { return segment.saysNothing(); });

@@ -84,13 +84,15 @@ QString ReferenceFinder::summaryOf(const ReferenceMatch& found) const {
         const Piece& named = *document_.garment()->pieces[static_cast<std::size_t>(piece)];
         return QString::fromStdString(nameOf(document_.state().labels, named));
     };
-    QStringList alone, doubtful, unused;
+    QStringList alone, doubtful, unlike, unused;
     for (const int piece : found.match.alone) {
         alone << nameOfPiece(piece);
     }
     for (const PieceMatch& pair : found.match.pairs) {
         if (!isSure(pair)) {
             doubtful << nameOfPiece(pair.piece);
+        } else if (pair.isDoubtful()) {
+            unlike << nameOfPiece(pair.piece);
         }
     }
     for (const int piece : found.match.aloneInFile) {
@@ -107,6 +109,9 @@ QString ReferenceFinder::summaryOf(const ReferenceMatch& found) const {
     }
     if (!doubtful.isEmpty()) {
         add(tr("several matches: %1").arg(listOf(doubtful)));
+    }
+    if (!unlike.isEmpty()) {
+        add(tr("uncertain, because the sizes differ: %1").arg(listOf(unlike)));
     }
     if (!unused.isEmpty()) {
         add(tr("only in the file: %1").arg(listOf(unused)));

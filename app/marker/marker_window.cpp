@@ -341,7 +341,12 @@ void MarkerWindow::save() {
         std::move(sheet), pathOf(path), preferences_.exportOptions(),
         [this, alive = QPointer<MarkerWindow>(this)](const Exported& written) {
             if (alive) {
-                say(tr("Saved: %1").arg(QFileInfo(textOf(written.files.front())).fileName()));
+                QString text =
+                    tr("Saved: %1").arg(QFileInfo(textOf(written.files.front())).fileName());
+                for (const Wording& note : written.notes) {
+                    text += "; " + wordingText(note);
+                }
+                say(text);
             }
         }));
 }

@@ -274,6 +274,10 @@ QString PiecesModel::partnerText(int row) const {
         return tr("Several pieces of the reference pattern match: %1").arg(names.join(", "));
     }
     const QString name = nameOfPiece(pair->filePiece);
+    if (pair->isDoubtful()) {
+        return tr("Compared with %1 of the reference pattern; uncertain, because the sizes differ")
+            .arg(name);
+    }
     return pair->lines.front().fit.mirrored
                ? tr("Compared with %1 of the reference pattern, mirrored").arg(name)
                : tr("Compared with %1 of the reference pattern").arg(name);

@@ -51,7 +51,8 @@ void SeamsModel::onChanged(const DocumentChange& what) {
         beginResetModel();
         measureAll();
         endResetModel();
-    } else if (what.touches(&Derived::garment, &Derived::results, &DocumentState::labels) &&
+    } else if (what.touches(&Derived::garment, &Derived::results, &Derived::pattern,
+                            &DocumentState::labels) &&
                rowCount() > 0) {
         measureAll();
         showColumns(0, ColumnCount - 1);

@@ -170,7 +170,8 @@ void SeamsPanel::makeTable() {
 }
 
 void SeamsPanel::onChanged(const DocumentChange& what) {
-    if (what.touches(&Derived::garment, &Derived::results, &DocumentState::labels)) {
+    if (what.touches(&Derived::garment, &Derived::results, &Derived::pattern,
+                     &DocumentState::labels)) {
         updateHead();
         fitColumns();
     }

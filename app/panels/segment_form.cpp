@@ -222,15 +222,21 @@ void SegmentForm::show(const LineFacts& facts) {
     showTurnPoint(facts);
 }
 
+/// The segment in a pattern with allowances, unless the width or kind has changed since; or null.
+const PatternSegment* SegmentForm::drawn() const {
+    const auto& pattern = document_.derived().pattern;
+    if (!pattern || !pattern->hasAllowance || shown_.settings.allowance) {
+        return nullptr;
+    }
+    const auto& segments = pattern->pieces[static_cast<std::size_t>(shown_.at.piece)].segments;
+    const auto found = std::ranges::find(segments, shown_.place, &PatternSegment::place);
+    return found != segments.end() && found->edge == shown_.edge() ? &*found : nullptr;
+}
+
 /// The width without one of its own; in a pattern with allowances as it is limited there.
 double SegmentForm::usualAllowance() const {
-    if (const auto& pattern = document_.derived().pattern;
-        pattern && pattern->hasAllowance && !shown_.settings.allowance) {
-        const auto& segments = pattern->pieces[static_cast<std::size_t>(shown_.at.piece)].segments;
-        const auto found = std::ranges::find(segments, shown_.place, &PatternSegment::place);
-        if (found != segments.end() && found->edge == shown_.edge()) {
-            return found->allowance;
-        }
+    if (const PatternSegment* segment = drawn()) {
+        return segment->allowance;
     }
     return allowanceOf(*document_.garment(), shown_, document_.state().lines);
 }
@@ -242,9 +248,19 @@ void SegmentForm::showLengths() {
     const QString inSpace = lengthWithUnit(worn);
     lengths_->setText(
         result && result->flat
-            ? tr("%1 in 3D, %2 in the pattern")
+            ? tr("%1 in 3D, %2 in the pattern.")
                   .arg(inSpace, lengthWithUnit(flatLength(shown_.at, piece, *result->flat)))
-            : tr("%1 in 3D").arg(inSpace));
+            : tr("%1 in 3D.").arg(inSpace));
+    const PatternSegment* segment = drawn();
+    if (segment && segment->limit != AllowanceLimit::None) {
+        const QString why = segment->limit == AllowanceLimit::Width   ? tr("the piece is narrow")
+                            : segment->limit == AllowanceLimit::Curve ? tr("the edge is curved")
+                                                                      : tr("the piece is small");
+        lengths_->setText(lengths_->text() + ' ' +
+                          tr("Allowance %1 instead of %2, because %3.")
+                              .arg(lengthWithUnit(segment->allowance),
+                                   lengthWithUnit(segment->usualAllowance), why));
+    }
     fields_.setRange("length", std::max(kMinSegmentLength, kShortest * worn),
                      std::min(kMaxSegmentLength, kLongest * worn));
 }

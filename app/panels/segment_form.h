@@ -32,6 +32,7 @@ private:
     void makeLayout();
     std::optional<SegmentAt> selected(const LineFacts& facts) const;
     void showLengths();
+    const PatternSegment* drawn() const;
     double usualAllowance() const;
     void showBeside();
     void showKinks(const LineFacts& facts, const SegmentAt& at);

@@ -113,8 +113,12 @@ void SelectionPanel::showEvent(QShowEvent* event) {
 }
 
 void SelectionPanel::onChanged(const DocumentChange& what) {
-    if (what.touchesContent() || what.touches(DocumentChange::Selection)) {
+    if (what.touches(DocumentChange::Selection, &Derived::garment, &Derived::results,
+                     &Derived::pattern, &DocumentState::lines, &DocumentState::labels)) {
         refresh();
+    } else if (what.touchesContent()) {
+        piece_->refresh();
+        position_->refresh();
     }
 }
 

@@ -101,6 +101,10 @@ std::vector<py::dict> segmentsOf(const PyPatternPiece& self) {
         }
         told["length"] = segment.length;
         told["allowance"] = segment.allowance;
+        if (segment.limit != AllowanceLimit::None) {
+            told["usual_allowance"] = segment.usualAllowance;
+            told["limited_by"] = std::string(wordOf(kAllowanceLimitWords, segment.limit));
+        }
         segments.push_back(told);
     }
     return segments;
@@ -143,9 +147,11 @@ void bindPatternPiece(py::module_& module) {
         .def_property_readonly("seams", &seamLinesOf,
                                "List of dictionaries: each side of a seam, and each free edge, as "
                                "line (n, 2), mm, with number, name, kind and length3d.")
-        .def_property_readonly("segments", &segmentsOf,
-                               "List of dictionaries: the outline from turn to turn, with start "
-                               "and end, arc lengths along it, and allowance; all mm.")
+        .def_property_readonly(
+            "segments", &segmentsOf,
+            "List of dictionaries: the outline from turn to turn, with start "
+            "and end, arc lengths along it, and allowance; all mm. Of allowances that "
+            "are narrower than usual also usual_allowance and limited_by.")
         .def_property_readonly("notches", &notchesOf,
                                "List of dictionaries: point (2,), outward (2,), seam, share of "
                                "it, count, reason; mm.")

@@ -56,7 +56,8 @@ std::vector<py::str> filesOf(const Exported& written) {
 
 std::string said(const Exported& written) {
     return written.files.front().string() +
-           (written.readBack ? "; " + readBackSentence(*written.readBack) : std::string());
+           (written.readBack ? "; " + readBackSentence(*written.readBack) : std::string()) +
+           (written.notes.empty() ? "" : "; " + std::string(written.notes.front()));
 }
 
 }  // namespace
@@ -79,6 +80,16 @@ void bindWriting(py::module_& module, py::class_<PyFlat>& flat) {
                 return self.readBack ? std::optional(self.readBack->largest) : std::nullopt;
             },
             "Of any coordinate or length read back, mm; None likewise.")
+        .def_property_readonly(
+            "notes",
+            [](const Exported& self) {
+                std::vector<py::str> notes;
+                for (const Wording& note : self.notes) {
+                    notes.push_back(textOf(std::string(note)));
+                }
+                return notes;
+            },
+            "List of sentences on what the format cannot hold, such as names that were changed.")
         .def("__str__", [](const Exported& self) { return textOf(said(self)); })
         .def("__repr__",
              [](const Exported& self) { return textOf("<toile.Written " + said(self) + ">"); });

@@ -228,7 +228,9 @@ void WindowDocks::goTo(Panel panel) {
     const Place& place = places_.at(panel);
     place.dock->show();
     place.dock->raise();
-    place.field->setFocus(isBeside(panel) ? Qt::ShortcutFocusReason : Qt::OtherFocusReason);
+    // Hidden if its form is that of another selection.
+    QWidget* field = place.field->isVisible() ? place.field : place.dock->widget();
+    field->setFocus(isBeside(panel) ? Qt::ShortcutFocusReason : Qt::OtherFocusReason);
 }
 
 QAbstractItemView& WindowDocks::list(Panel panel) const {

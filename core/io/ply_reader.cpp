@@ -541,7 +541,7 @@ private:
                                      soup_.corners.end());
         soup_.corners.resize(first);
         for (std::size_t k = 0, begin = 0; k < strip.size(); ++k) {
-            if (strip[k] == io::kNoSuchPosition) {
+            if (indices_[k] < 0) {
                 begin = k + 1;
                 continue;
             }

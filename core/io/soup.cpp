@@ -245,14 +245,16 @@ Result<PolygonSoup> readZipped(const std::string& archive, const std::string& na
 }
 
 /// Adds a note if the coordinates are floats, and too coarse at their distance from the origin.
-void noteFloats(PolygonSoup& soup, const std::string& name) {
+/// @param areFloats  known from the format; otherwise their values decide
+void noteFloats(PolygonSoup& soup, const std::string& name, bool areFloats) {
     constexpr double kCoarse = 1e-4;  // of the largest extent
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& position : soup.positions) {
         if (position.allFinite()) {
             box.extend(position);
         }
-        if (position.allFinite() && position != position.cast<float>().cast<double>()) {
+        if (!areFloats && position.allFinite() &&
+            position != position.cast<float>().cast<double>()) {
             return;
         }
     }
@@ -304,7 +306,7 @@ Result<PolygonSoup> readSoup(const std::filesystem::path& path, Progress& progre
         soup->contentHash = *hash;
         if (isForAssimp(ending) || equalsIgnoringCase(ending, ".stl") ||
             equalsIgnoringCase(ending, ".ply")) {
-            noteFloats(*soup, name);
+            noteFloats(*soup, name, isForAssimp(ending));
         }
     }
     return soup;

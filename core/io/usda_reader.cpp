@@ -323,7 +323,7 @@ private:
             return "the corners of a mesh do not match its face counts";
         }
         const std::string* scheme = prim.find("subdivisionScheme");  // default: catmullClark
-        cages_ += scheme && *scheme == "none" ? 0 : 1;
+        cages_ += scheme && (*scheme == "none" || *scheme == "bilinear") ? 0 : 1;
         const std::string* called = prim.find("toile:name");
         objects_.change(called ? *called : prim.name, soup_.faceCount());
         const int first = static_cast<int>(soup_.positions.size());

@@ -77,7 +77,7 @@ constexpr std::int64_t kMaxEvaluations = 200'000;
 /// A nest on limited cloth, for copies for which sequential placement found no room: from these
 /// poses, overlaps allowed, by separation. Nothing if that fails after a while.
 std::optional<Found> crowdedNest(const Problem& problem, const std::vector<Pose>& poses,
-                                 const Progress& progress) {
+                                 const NestOptions& options, const Progress& progress) {
     const double end = problem.stretches.back().to;
     if (!std::isfinite(end) || !(problem.leastLength < end)) {
         return std::nullopt;
@@ -86,8 +86,9 @@ std::optional<Found> crowdedNest(const Problem& problem, const std::vector<Pose>
     Separation separation(problem, poses, end);
     separation.begin(poses, end, kCrowded);
     auto outcome = Separation::Outcome::Going;
-    for (std::int64_t evaluations = 0; outcome == Separation::Outcome::Going &&
-                                       evaluations < kMaxEvaluations && !progress.isCancelled();
+    for (std::int64_t evaluations = 0;
+         outcome == Separation::Outcome::Going && evaluations < kMaxEvaluations &&
+         !progress.isCancelled() && !options.isHasty();
          ++evaluations) {
         outcome = separation.pass(random, evaluations, progress);
     }
@@ -145,7 +146,7 @@ public:
 
 private:
     bool areMany() const { return poses_.size() > kManyCopies; }
-    bool isHasty() const { return options_.watch.seconds() > options_.hasteAfter; }
+    bool isHasty() const { return options_.isHasty(); }
 
     /// Where the search for a place starts: the left of a copy's box.
     double from(std::size_t copy, const Shape& shape) const {
@@ -344,7 +345,7 @@ std::vector<std::size_t> orderOf(const Problem& problem) {
 /// Errors: PageTooSmall naming the item of a copy that finds no room; Cancelled.
 Result<Found> firstNest(const Problem& problem, const NestInstance& instance,
                         const NestOptions& options, const Progress& progress) {
-    const auto isHasty = [&options] { return options.watch.seconds() > options.hasteAfter; };
+    const auto isHasty = [&options] { return options.isHasty(); };
     auto order = orderOf(problem);
     const auto isMovable = [&](std::size_t copy) { return !problem.itemOf(copy).isFixed; };
     std::optional<std::size_t> failed;
@@ -377,7 +378,7 @@ Result<Found> firstNest(const Problem& problem, const NestInstance& instance,
         std::rotate(first, at, at + 1);
     }
     if (!poses.empty() && !isHasty()) {
-        if (auto found = crowdedNest(problem, poses, progress)) {
+        if (auto found = crowdedNest(problem, poses, options, progress)) {
             return *std::move(found);
         }
         if (progress.isCancelled()) {

@@ -88,9 +88,11 @@ struct NestOptions {
     std::int64_t evaluations = 50'000;
     int threads = 0;  ///< number of threads, 0: all cores; does not affect the nest
     /// Seconds since these options were made after which the first nest is laid in haste, in few
-    /// places per copy; then it depends on the machine's speed.
-    double hasteAfter = std::numeric_limits<double>::infinity();
+    /// places per copy; then it depends on the machine's speed. 0: never.
+    double hasteAfter = 0;
     Stopwatch watch{};
+
+    bool isHasty() const { return hasteAfter > 0 && watch.seconds() > hasteAfter; }
 };
 
 struct NestResult {

@@ -368,11 +368,14 @@ private:
     /// Marks parts along an axis whose edges face each other across a narrow gap.
     static void markFacing(Opening& opening, const Vector3d& axis, EdgeKind kind) {
         const Vector3d onward = axis.normalized();
+        std::vector<FreeEdge> steep;
+        std::ranges::copy_if(opening.edges, std::back_inserter(steep), [&](const FreeEdge& edge) {
+            return std::abs(edge.along.dot(onward)) > kSteep;
+        });
         const auto isFacing = [&](const FreeEdge& edge) {
-            return std::ranges::any_of(opening.edges, [&](const FreeEdge& other) {
+            return std::ranges::any_of(steep, [&](const FreeEdge& other) {
                 const double way = std::abs(edge.from - other.from);
-                return std::abs(other.along.dot(onward)) > kSteep &&
-                       edge.along.dot(other.along) < 0 &&
+                return edge.along.dot(other.along) < 0 &&
                        (edge.middle - other.middle).norm() <
                            kFacing * std::min(way, opening.length - way);
             });

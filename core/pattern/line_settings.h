@@ -174,7 +174,8 @@ inline constexpr std::size_t kEdgeKindCount = std::size(kEdgeKindWords);
 struct AllowanceWidths {
     double seam = 10;
     double hem = 30;
-    /// Of free edges by EdgeKind; empty: `widthOf`. That of hems is `hem`.
+    /// Of free edges by EdgeKind, drawn as they are; empty: `widthOf`, narrowed where it does not
+    /// fit (`limitAllowances`). That of hems is `hem`.
     std::array<std::optional<double>, kEdgeKindCount> edges{};
 
     bool operator==(const AllowanceWidths&) const = default;

@@ -106,7 +106,7 @@ void addSegments(PatternPiece& made, const PieceResult& result, const MeasuredOu
         added.opening = segment.opening;
         if (lines.allowance) {
             added.usualAllowance = usualAllowance(added, *lines.allowance);
-            added.isAllowanceSet = segment.settings.allowance.has_value();
+            added.isAllowanceSet = segment.settings.allowance || lines.allowance->of(added.edge);
             added.allowance = segment.settings.allowance.value_or(added.usualAllowance);
         }
         added.corner = segment.settings.corner;

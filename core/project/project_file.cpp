@@ -224,6 +224,19 @@ void sayNothingOfLines(JsonDocument& document) {
     document["lines"] = JsonDocument::object();
 }
 
+void keepHemWidths(JsonDocument& document) {
+    const auto lines = document.find("lines");
+    if (lines == document.end() || !lines->is_object() || !lines->contains("allowance") ||
+        !(*lines)["allowance"].is_object()) {
+        return;
+    }
+    JsonDocument& widths = (*lines)["allowance"];
+    const JsonDocument hem = widths.contains("hem") ? widths["hem"] : AllowanceWidths{}.hem;
+    for (const char* key : kEdgeWidthKeys) {
+        widths[key] = hem;
+    }
+}
+
 void listPieces(JsonDocument& document) {
     const auto pieces = document.find("pieces");
     if (pieces == document.end() || !pieces->is_object()) {

@@ -43,7 +43,7 @@ std::string projectText(const Project& project, const std::filesystem::path& fol
 Result<std::uint64_t> writeProject(const std::filesystem::path& path, const Project& project);
 
 /// The version of the project format that is written, and the newest that can be read.
-inline constexpr int kProjectVersion = 3;
+inline constexpr int kProjectVersion = 4;
 
 /// Converts a document of one version to the next, as far as it is valid; faults are reported when
 /// it is read.
@@ -58,8 +58,12 @@ void listPieces(JsonDocument& document);
 /// Version 2 knew exact outlines only and had no settings of lines.
 void sayNothingOfLines(JsonDocument& document);
 
+/// Version 3 gave all free edges the width of hems.
+void keepHemWidths(JsonDocument& document);
+
 /// One upgrade for each earlier version.
-inline constexpr ProjectUpgrade kProjectUpgrades[] = {{1, listPieces}, {2, sayNothingOfLines}};
+inline constexpr ProjectUpgrade kProjectUpgrades[] = {
+    {1, listPieces}, {2, sayNothingOfLines}, {3, keepHemWidths}};
 
 /// Applies the upgrades from `version` on in order; each sets the new "version".
 inline void upgradeProject(JsonDocument& document, int version,

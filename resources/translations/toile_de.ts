@@ -4247,6 +4247,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>subdivision is not applied to %1 of its meshes, and the smooth cloth is smaller; apply it in the modelling program</source>
         <translation>auf %1 der Netze ist die Unterteilung nicht angewandt, und der glatte Stoff ist kleiner; wenden Sie sie im Modellierprogramm an</translation>
     </message>
+    <message>
+        <source>its text says Unit: %1</source>
+        <translation>sein Text nennt Unit: %1</translation>
+    </message>
 </context>
 <context>
     <name>toile::app</name>
@@ -8968,6 +8972,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Largest distance from the reference panel or pattern</source>
         <translation>Größter Abstand vom Referenzteil oder Referenzschnitt</translation>
     </message>
+    <message>
+        <source>Compared with %1 of the reference pattern; uncertain, because the sizes differ</source>
+        <translation>Verglichen mit %1 des Referenzschnitts; unsicher, weil die Größen abweichen</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::PiecesPanel</name>
@@ -9869,6 +9877,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>unit uncertain, read as %1</source>
         <translation>Einheit unsicher, gelesen als %1</translation>
     </message>
+    <message>
+        <source>uncertain, because the sizes differ: %1</source>
+        <translation>unsicher, weil die Größen abweichen: %1</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::ScanForm</name>
@@ -10105,14 +10117,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Abschnitt</translation>
     </message>
     <message>
-        <source>%1 in 3D, %2 in the pattern</source>
-        <translation>%1 in 3D, %2 im Schnittmuster</translation>
-    </message>
-    <message>
-        <source>%1 in 3D</source>
-        <translation>%1 in 3D</translation>
-    </message>
-    <message>
         <source>kink %1</source>
         <translation>Knick %1</translation>
     </message>
@@ -10187,6 +10191,30 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>found: %1</source>
         <translation>erkannt: %1</translation>
+    </message>
+    <message>
+        <source>%1 in 3D, %2 in the pattern.</source>
+        <translation>%1 in 3D, %2 im Schnittmuster.</translation>
+    </message>
+    <message>
+        <source>%1 in 3D.</source>
+        <translation>%1 in 3D.</translation>
+    </message>
+    <message>
+        <source>the piece is narrow</source>
+        <translation>das Teil schmal ist</translation>
+    </message>
+    <message>
+        <source>the edge is curved</source>
+        <translation>die Kante gebogen ist</translation>
+    </message>
+    <message>
+        <source>the piece is small</source>
+        <translation>das Teil klein ist</translation>
+    </message>
+    <message>
+        <source>Allowance %1 instead of %2, because %3.</source>
+        <translation>Zugabe %1 statt %2, weil %3.</translation>
     </message>
 </context>
 <context>

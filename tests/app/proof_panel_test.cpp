@@ -11,6 +11,7 @@
 #include <QTreeWidget>
 #include <algorithm>
 
+#include "app/document/line_facts.h"
 #include "app/document/shown_proof.h"
 #include "app/jobs/file_jobs.h"
 #include "app/jobs/ready_checker.h"
@@ -248,6 +249,13 @@ private slots:
         QVERIFY(isProved());
         QVERIFY(sewnOf(document()) != nullptr);  // on the scene that has them
         QVERIFY(sewnOf(document()) != before);
+        const LineFacts facts =
+            lineFacts(*document().garment(), document().results(), document().state().lines);
+        lines.segments.push_back({facts.segments[0].segments[0].place});
+        lines.segments.back().edge = EdgeKind::Slit;
+        document().setLines(lines, "Kind of edge");
+        QVERIFY(fixture_.waitUntilIdle() && fixture_.waitForResults());
+        QVERIFY(isProved());
     }
 
     void whatElseWasSewnIsNoProofOfThisPattern() {

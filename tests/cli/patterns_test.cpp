@@ -206,6 +206,27 @@ TEST(PatternOption, GivesWayToWhatElseIsTyped) {
     }
 }
 
+TEST(AllowanceOption, OfAKindIsDrawnAsItIs) {
+    const std::string tshirt = test::dataFile("samples/tshirt.obj").string();
+    int limited = 0, typed = 0;
+    for (const char* width : {"10", "12"}) {
+        const bool isTyped = std::string(width) == "12";
+        const Json report =
+            isTyped ? reportOf(tshirt, {"--pattern", "--edge-allowance", "collar-edge=12"})
+                    : reportOf(tshirt, {"--pattern"});
+        for (const Json& piece : report["pieces"]) {
+            for (const Json& segment : piece["segments"]) {
+                if (segment.value("edge", "") == "collar-edge") {
+                    limited += segment.contains("limited_by") ? 1 : 0;
+                    typed += segment["allowance"] == 12 ? 1 : 0;
+                }
+            }
+        }
+    }
+    EXPECT_EQ(limited, 1);  // by the width of the neckband
+    EXPECT_EQ(typed, 1);
+}
+
 TEST(AllowanceOption, AloneAddsNothingElse) {
     const std::string tshirt = test::dataFile("samples/tshirt.obj").string();
     const Json bare = reportOf(tshirt, {}), report = reportOf(tshirt, {"--hem", "25"});

@@ -535,8 +535,10 @@ Result<PatternFile> readDxfPattern(std::string_view bytes, std::optional<FileUni
         }
         // The unit is not known yet, so ends are joined as if it were mm; the extent does not
         // depend on that.
-        const bool isExact = fields.contains("unit");
-        const DxfUnit found = dxfUnit(*document, styleField(fields, isExact ? "unit" : "units"),
+        const std::string unit = styleField(fields, "unit");
+        const bool isExact =
+            unit == symbol(LengthUnit::Millimetre) || unit == symbol(LengthUnit::Centimetre);
+        const DxfUnit found = dxfUnit(*document, isExact ? unit : styleField(fields, "units"),
                                       extentOf(piecesOf(*document, 1, ignored)));
         file.unit = found.unit;
         file.unitReason = found.reason;

@@ -216,7 +216,8 @@ TEST(DxfPattern, PlacesBlocksAsTheyAreInserted) {
 }
 
 /// A square without blocks of texts.
-std::string squareFile(double side, std::string_view units, const char* header = nullptr) {
+std::string squareFile(double side, std::string_view units, const char* header = nullptr,
+                       std::string_view more = {}) {
     DxfBuilder text;
     if (header) {
         text.section("HEADER").tag(9, "$INSUNITS").tag(70, header).end();
@@ -229,6 +230,9 @@ std::string squareFile(double side, std::string_view units, const char* header =
         .endBlock()
         .end()
         .section("ENTITIES");
+    if (!more.empty()) {
+        text.text(std::string(more));
+    }
     if (!units.empty()) {
         text.text("Units: " + std::string(units));
     }
@@ -268,6 +272,8 @@ TEST(DxfPattern, JudgesTheUnitByWhatItSaysAndByTheSize) {
         own.replace(own.find(text), text.size(), "Unit: " + std::string(symbol(unit)));
         EXPECT_EQ(readAll(own).unit, unit);
     }
+    // Another program's text of this name.
+    EXPECT_EQ(readAll(squareFile(24, "ENGLISH", nullptr, "Unit: pcs")).unit, LengthUnit::Inch);
     const PatternFile stated = readAll(squareFile(600, "METRIC"), LengthUnit::Inch);
     EXPECT_NEAR(geometry::perimeterOf(stated.pieces.front().cut), 4 * 600 * 25.4, 1e-6);
     EXPECT_FALSE(stated.unitInDoubt);

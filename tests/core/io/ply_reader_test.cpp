@@ -71,6 +71,12 @@ TEST(PlyReader, DividesStripsOfTriangles) {
     EXPECT_EQ(face(soup, 1), (Corners{2, 1, 3}));  // turned the same way
     EXPECT_EQ(face(soup, 2), (Corners{2, 3, 4}));
     EXPECT_EQ(face(soup, 3), (Corners{4, 3, 5}));
+    // An index that is too large spoils its triangles only.
+    const PolygonSoup damaged =
+        readPlySoup(ascii(header, "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n7 0 1 99 2 3 4 5\n"));
+    ASSERT_EQ(damaged.faceCount(), 2);
+    EXPECT_EQ(face(damaged, 0), (Corners{3, 2, 4}));
+    EXPECT_NE(detailOf(damaged.problems, ErrorCode::IndexOutOfRange), "");
 }
 
 TEST(PlyReader, FindsTheBodyAfterAnyLineEnd) {

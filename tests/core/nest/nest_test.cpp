@@ -206,7 +206,7 @@ TEST(Nest, TheFirstNestCanBeLaidInHaste) {
     instance.items[0].tolerance = 0.2;
     instance.obstacles.push_back({"hole", {nestRectangle(20, 30)}, {}});
     NestOptions hasty = quick();
-    hasty.hasteAfter = -1;  // from the start
+    hasty.hasteAfter = 1e-9;  // from the start
     const NestResult result = nested(instance, 0, hasty);
     EXPECT_TRUE(result.valid);
     test::expectKeepsRules(instance, hasty, result);

@@ -442,6 +442,19 @@ TEST(ProjectFile, EveryOlderVersionHasAnUpgrade) {
     }
 }
 
+TEST(ProjectFile, OlderFilesKeepTheWidthOfHemsAlongAllFreeEdges) {
+    Json document = someDocument();
+    document["version"] = 3;
+    document["lines"] = {{"allowance", {{"seam", 12.0}, {"hem", 40.0}}}};
+    const auto read = parseProject(document.dump(), "p.toile", kFolder);
+    ASSERT_TRUE(read) << sentence(read.error());
+    const AllowanceWidths& widths = *read->project.lines.allowance;
+    EXPECT_EQ(widths.seam, 12);
+    for (int kind = 0; kind < kEdgeKindCount; ++kind) {
+        EXPECT_EQ(widths.widthOf(static_cast<EdgeKind>(kind)), 40);
+    }
+}
+
 TEST(ProjectFile, UpgradesAreAppliedOneAfterTheOtherFromTheFilesVersionOn) {
     const ProjectUpgrade upgrades[] = {
         {3, [](Json& d) { d["steps"].push_back("3 to 4"); }},
