@@ -231,7 +231,7 @@ void keepHemWidths(JsonDocument& document) {
         return;
     }
     JsonDocument& widths = (*lines)["allowance"];
-    const JsonDocument hem = widths.contains("hem") ? widths["hem"] : AllowanceWidths{}.hem;
+    const JsonDocument hem = widths.value("hem", JsonDocument(AllowanceWidths{}.hem));
     for (const char* key : kEdgeWidthKeys) {
         widths[key] = hem;
     }

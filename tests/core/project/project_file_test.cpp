@@ -450,7 +450,7 @@ TEST(ProjectFile, OlderFilesKeepTheWidthOfHemsAlongAllFreeEdges) {
     ASSERT_TRUE(read) << sentence(read.error());
     const AllowanceWidths& widths = *read->project.lines.allowance;
     EXPECT_EQ(widths.seam, 12);
-    for (int kind = 0; kind < kEdgeKindCount; ++kind) {
+    for (std::size_t kind = 0; kind < kEdgeKindCount; ++kind) {
         EXPECT_EQ(widths.widthOf(static_cast<EdgeKind>(kind)), 40);
     }
 }
