@@ -9,6 +9,10 @@
 
 class QCheckBox;
 
+namespace toile {
+struct PatternSegment;
+}
+
 namespace toile::app {
 
 class Document;
