@@ -22,16 +22,6 @@ namespace {
 
 constexpr QSize kPictureSize{1400, 700};
 
-struct PictureOf {
-    Overlay overlay;
-    const char* caption;
-};
-
-constexpr PictureOf kPictures[] = {
-    {Overlay::Checker, "The garment and its pattern; squares of 10 mm"},
-    {Overlay::Strain, "Strain: how far the cloth must stretch or shrink"},
-};
-
 /// Qt needs an application to draw text; the command line has none.
 void makeApplication() {
     if (QCoreApplication::instance()) {
@@ -105,13 +95,16 @@ PictureOptions optionsOf(const Document& document, QSize size, bool isDark = fal
 std::vector<ReportPicture> reportPictures(const ExportSource& source) {
     std::vector<ReportPicture> pictures;
     drawWith(source, [&pictures](Document& document) {
-        for (const auto& [overlay, caption] : kPictures) {
-            document.setOverlay(overlay);
+        for (const OverlayTraits& known : kOverlays) {
+            if (!known.reportCaption) {
+                continue;
+            }
+            document.setOverlay(known.overlay);
             const QByteArray png = drawnAsPng(document, optionsOf(document, kPictureSize));
             if (png.isEmpty()) {
                 return pictures.clear();
             }
-            pictures.push_back({caption, png.toBase64().toStdString()});
+            pictures.push_back({known.reportCaption, png.toBase64().toStdString()});
         }
     });
     return pictures;

@@ -36,8 +36,8 @@ ActionRegistry::ActionRegistry(QObject* parent) : QObject(parent) {
             shortcut.isEmpty()
                 ? tip
                 : QString("%1 (%2)").arg(tip, shortcut.toString(QKeySequence::NativeText)));
-        if (*spec.icon) {
-            action->setIcon(themedIcon(spec.icon));
+        if (!spec.icon.empty()) {
+            action->setIcon(themedIcon(QString::fromStdString(spec.icon)));
         }
         if (*spec.shortText) {
             action->setIconText(app::tr(spec.shortText));

@@ -200,23 +200,17 @@ ActionWork asksOfSeam(void (CutEditor::*request)(int), When when) {
             std::move(when)};
 }
 
-ActionWork overlays(Overlay overlay) {
-    return {[overlay](GarmentActions& on, bool) { on.workspace().document().setOverlay(overlay); },
+/// Without a current proof, an overlay of the proof also brings the proof panel to the front.
+ActionWork shows(Overlay overlay) {
+    return {[overlay](GarmentActions& on, bool) {
+                Workspace& workspace = on.workspace();
+                workspace.document().setOverlay(overlay);
+                if (isOfProof(overlay) && !workspace.document().isProofCurrent()) {
+                    workspace.proof().want();
+                }
+            },
             isOpen, [overlay](Workspace& on) { return on.document().view().overlay == overlay; },
             ActionGroup::Overlay};
-}
-
-/// Overlay of the proof. Without a current proof, also brings the proof panel to the front.
-ActionWork overlaysOfProof(Overlay overlay) {
-    ActionWork work = overlays(overlay);
-    work.run = [overlay](GarmentActions& on, bool) {
-        Workspace& workspace = on.workspace();
-        workspace.document().setOverlay(overlay);
-        if (!workspace.document().isProofCurrent()) {
-            workspace.proof().want();
-        }
-    };
-    return work;
 }
 
 bool isProved(Workspace& on) {
@@ -363,9 +357,6 @@ ActionWork onChosen(void (*change)(Document&, const PieceIndices&)) {
             isAnyFlat};
 }
 
-// lupdate finds the texts by this macro and uses the namespace as their context.
-#define TR(text) text
-
 std::vector<ActionSpec> makeActions() {
     using Group = ActionGroup;
     return {
@@ -426,45 +417,6 @@ std::vector<ActionSpec> makeActions() {
         {ActionId::Frame, "frame", TR("&Frame"), "F",
          TR("Fit the selected pieces or seam in the view, or everything without a selection"),
          whenOpen(), "frame", TR("Frame")},
-        {ActionId::OverlayNone, "overlayNone", TR("Piece &colours"), "1",
-         TR("Show every piece in its own colour"), overlays(Overlay::None), "overlay-none",
-         TR("Colours")},
-        {ActionId::OverlayChecker, "overlayChecker", TR("Check&erboard"), "2",
-         TR("Show true-scale squares on the cloth"), overlays(Overlay::Checker), "overlay-checker",
-         TR("Checker")},
-        {ActionId::OverlayArea, "overlayArea", TR("&Area change"), "3",
-         TR("Show how much area the cloth must gain or lose to take its shape"),
-         overlays(Overlay::Area), "overlay-area", TR("Area")},
-        {ActionId::OverlayAngle, "overlayAngle", TR("An&gle change"), "4",
-         TR("Show how much the angles of the cloth change"), overlays(Overlay::Angle),
-         "overlay-angle", TR("Angle")},
-        {ActionId::OverlayStrain, "overlayStrain", TR("Edge &strain"), "5",
-         TR("Show how far the cloth must stretch or shrink to take its shape"),
-         overlays(Overlay::Strain), "overlay-strain", TR("Strain")},
-        {ActionId::OverlayWarp, "overlayWarp", TR("Strain along war&p"), "6",
-         TR("Show how far the cloth must stretch or shrink along the grain"),
-         overlays(Overlay::Warp), "overlay-warp", TR("Warp")},
-        {ActionId::OverlayWeft, "overlayWeft", TR("Strain along we&ft"), "7",
-         TR("Show how far the cloth must stretch or shrink across the grain"),
-         overlays(Overlay::Weft), "overlay-weft", TR("Weft")},
-        {ActionId::OverlayBias, "overlayBias", TR("Strain on the &bias"), "8",
-         TR("Show the larger of the strains along the two diagonals, at 45° to the grain"),
-         overlays(Overlay::Bias), "overlay-bias", TR("Bias")},
-        {ActionId::OverlayPrincipal, "overlayPrincipal", TR("Principal s&train"), "9",
-         TR("Draw crosses along the directions of largest and least strain"),
-         overlays(Overlay::Principal), "overlay-principal", TR("Principal")},
-        {ActionId::OverlayDirichlet, "overlayDirichlet", TR("&Distortion energy"), "0",
-         TR("Show the symmetric Dirichlet energy: one number for strain in all directions"),
-         overlays(Overlay::Dirichlet), "overlay-dirichlet", TR("Energy")},
-        {ActionId::OverlayNormal, "overlayNormal", TR("Surface &normals"), "",
-         TR("Show which way the garment's surface faces, one colour per direction"),
-         overlays(Overlay::Normal), "overlay-normal", TR("Normals")},
-        {ActionId::OverlayGap, "overlayGap", TR("Gap of the sewn c&loth"), "",
-         TR("Show how far the sewn pattern lies outside or inside the design"),
-         overlaysOfProof(Overlay::Gap), "overlay-gap", TR("Gap")},
-        {ActionId::OverlayWornStrain, "overlayWornStrain", TR("&Worn strain of the sewn cloth"), "",
-         TR("Show the strain of the cloth in the sewn pattern"),
-         overlaysOfProof(Overlay::WornStrain), "overlay-worn-strain", TR("Worn strain")},
         {ActionId::ValuesPerTriangle, "valuesPerTriangle", TR("&Values per triangle"), "Shift+V",
          TR("Colour every triangle by its own value, without smoothing"),
          switches(&ViewState::valuesPerTriangle, showsFigures), "values-per-triangle",
@@ -912,35 +864,36 @@ std::vector<ActionSpec> makeActions() {
     };
 }
 
-#undef TR
-
 }  // namespace
 
 const std::vector<ActionSpec>& actionTable() {
-    static const std::vector<ActionSpec> table = makeActions();
+    static const std::vector<ActionSpec> table = [] {
+        std::vector<ActionSpec> specs = makeActions();
+        auto place = std::ranges::find(specs, ActionId::ValuesPerTriangle, &ActionSpec::id);
+        for (const OverlayTraits& known : kOverlays) {
+            const OverlayAction& action = known.action;
+            place = std::next(
+                specs.insert(place, {overlayAction(known.overlay), action.name, action.text,
+                                     action.shortcut, action.tip, shows(known.overlay),
+                                     "overlay-" + std::string(known.word), action.shortText}));
+        }
+        return specs;
+    }();
     return table;
 }
 
 ActionId actionOf(Method method) {
-    switch (method) {
-        case Method::Isometric:
-            return ActionId::MethodIsometric;
-        case Method::Curvature:
-            return ActionId::MethodCurvature;
-        case Method::Wang2005:
-            return ActionId::MethodWang2005;
-        case Method::Stretch:
-            return ActionId::MethodStretch;
-        case Method::Natural:
-            return ActionId::MethodNatural;
-        case Method::Lscm:
-            return ActionId::MethodLscm;
-        case Method::Abf:
-            return ActionId::MethodAbf;
-        case Method::Convex:
-            return ActionId::MethodConvex;
-    }
-    return ActionId::MethodIsometric;
+    using enum ActionId;
+    using Row = std::pair<Method, ActionId>;
+    static constexpr Row kRows[] = {{Method::Isometric, MethodIsometric},
+                                    {Method::Curvature, MethodCurvature},
+                                    {Method::Wang2005, MethodWang2005},
+                                    {Method::Stretch, MethodStretch},
+                                    {Method::Natural, MethodNatural},
+                                    {Method::Lscm, MethodLscm},
+                                    {Method::Abf, MethodAbf},
+                                    {Method::Convex, MethodConvex}};
+    return std::ranges::find(kRows, method, &Row::first)->second;
 }
 
 }  // namespace toile::app

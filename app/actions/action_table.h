@@ -3,11 +3,13 @@
 
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "app/document/document_change.h"
+#include "app/document/overlay.h"
 #include "core/flatten/base/flat_piece.h"
 
 namespace toile::app {
@@ -33,19 +35,8 @@ enum class ActionId {
     SelectSameMaterial,
     SelectSameLayer,
     Frame,
-    OverlayNone,
-    OverlayChecker,
-    OverlayArea,
-    OverlayAngle,
-    OverlayStrain,
-    OverlayWarp,
-    OverlayWeft,
-    OverlayBias,
-    OverlayPrincipal,
-    OverlayDirichlet,
-    OverlayNormal,
-    OverlayGap,
-    OverlayWornStrain,
+    FirstOverlay,  ///< use overlayAction()
+    LastOverlay = FirstOverlay + kOverlayCount - 1,
     ValuesPerTriangle,
     WorstSpots,
     Wireframe,
@@ -192,6 +183,11 @@ enum class ActionId {
     About,
 };
 
+/// The action that turns an overlay on.
+constexpr ActionId overlayAction(Overlay overlay) {
+    return static_cast<ActionId>(static_cast<int>(ActionId::FirstOverlay) +
+                                 static_cast<int>(overlay));
+}
 /// The action that chooses a method.
 ActionId actionOf(Method method);
 
@@ -246,7 +242,7 @@ struct ActionSpec {
     const char* shortcut;  ///< portable text; empty for none
     const char* tip;
     ActionWork work{};
-    const char* icon = "";
+    std::string icon{};
     const char* shortText = "";  ///< for the toolbar
 };
 

@@ -20,9 +20,6 @@ struct Gesture {
     const char* does;
 };
 
-// lupdate finds the texts by this macro and uses the namespace as their context.
-#define TR(text) text
-
 /// Gestures of one group must be adjacent.
 const std::vector<Gesture>& gestures() {
     static constexpr auto kGarment = TR("In the garment view"),
@@ -126,8 +123,6 @@ const std::vector<Gesture>& gestures() {
     };
     return table;
 }
-
-#undef TR
 
 void add(std::vector<HelpGroup>& groups, const QString& title, HelpRow row) {
     if (groups.empty() || groups.back().title != title) {

@@ -11,9 +11,6 @@ namespace toile::app {
 
 namespace {
 
-// lupdate finds the texts by this macro and uses the namespace as their context.
-#define TR(text) text
-
 constexpr MenuSeparator kLine{};
 constexpr MenuPlace kBelow = MenuPlace::Submenu, kContext = MenuPlace::Context;
 
@@ -44,6 +41,23 @@ std::vector<MenuItem> flattenItems() {
     return items;
 }
 
+/// Overlays from their own table, with lines between the kinds.
+std::vector<MenuItem> overlayItems() {
+    std::vector<MenuItem> items;
+    for (const OverlayKind kind :
+         {OverlayKind::Plain, OverlayKind::Flat, OverlayKind::Sewn, OverlayKind::Surface}) {
+        if (!items.empty()) {
+            items.emplace_back(kLine);
+        }
+        for (const OverlayTraits& known : kOverlays) {
+            if (known.kind == kind) {
+                items.emplace_back(overlayAction(known.overlay));
+            }
+        }
+    }
+    return items;
+}
+
 // clang-format off
 std::vector<MenuSpec> makeTable() {
     using enum ActionId;
@@ -68,12 +82,7 @@ std::vector<MenuSpec> makeTable() {
           GoToPieces, GoToSeams, GoToProblems, GoToHistory, GoToLines, GoToSymmetry,
           GoToProof,
           Submenu{"listsMenu"}, ResetLayout}},
-        {"overlayMenu", TR("&Overlay"),
-         {OverlayNone, OverlayChecker, kLine,
-          OverlayArea, OverlayAngle, OverlayStrain, OverlayWarp, OverlayWeft, OverlayBias,
-          OverlayPrincipal, OverlayDirichlet, kLine,
-          OverlayGap, OverlayWornStrain, kLine,
-          OverlayNormal}, kBelow},
+        {"overlayMenu", TR("&Overlay"), overlayItems(), kBelow},
         {"layersMenu", TR("La&yers"),
          {CuttingLine, ShowSeams, ExactOutline, ReferencePanels, kLine,
           Notches, InternalLines, GrainArrows, Labels}, kBelow},
@@ -142,8 +151,6 @@ std::vector<MenuSpec> makeTable() {
 }
 // clang-format on
 
-#undef TR
-
 void collect(const MenuSpec& menu, QStringList path, std::vector<PlacedAction>& found) {
     path << withoutMnemonic(menuText(menu.title));
     for (const MenuItem& item : menu.items) {
@@ -174,14 +181,15 @@ QString menuText(const char* text) {
 
 bool isForSpecialists(ActionId id) {
     using enum ActionId;
-    static constexpr ActionId kSome[] = {OverlayArea,      OverlayAngle,   OverlayPrincipal,
-                                         OverlayDirichlet, OverlayNormal,  ValuesPerTriangle,
-                                         Wireframe,        ExactOutline,   MethodWang2005,
-                                         MethodStretch,    MethodConvex,   MethodNatural,
-                                         MethodLscm,       MethodAbf,      SolverNewton,
-                                         SolverSlcp,       CompareMethods, Weld,
-                                         Orthographic};
-    return std::ranges::find(kSome, id) != std::end(kSome);
+    static constexpr ActionId kSome[] = {
+        ValuesPerTriangle, Wireframe,      ExactOutline, MethodWang2005, MethodStretch,
+        MethodConvex,      MethodNatural,  MethodLscm,   MethodAbf,      SolverNewton,
+        SolverSlcp,        CompareMethods, Weld,         Orthographic};
+    const auto isThis = [id](const OverlayTraits& known) {
+        return known.isForSpecialists && overlayAction(known.overlay) == id;
+    };
+    return std::ranges::find(kSome, id) != std::end(kSome) ||
+           std::ranges::any_of(kOverlays, isThis);
 }
 
 std::vector<PlacedAction> placedActions() {

@@ -1,71 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <iterator>
 #include <numbers>
 #include <optional>
 
-#include "core/base/wording.h"
+#include "app/document/overlay.h"
 
 namespace toile::app {
-
-/// The overlay on the cloth, in both views. The shaders know the overlays by number: see
-/// resources/shaders/surface.glsl.
-enum class Overlay {
-    None,        ///< the piece's colour alone
-    Checker,     ///< true-scale squares
-    Area,        ///< A3D / A2D - 1
-    Angle,       ///< largest change of a corner angle
-    Strain,      ///< L3D / L2D - 1 of the edges
-    Warp,        ///< strain along the grain
-    Weft,        ///< strain across it
-    Bias,        ///< strain at 45 degrees to it, the worse of both diagonals
-    Principal,   ///< largest and smallest strain and their directions, as glyphs
-    Dirichlet,   ///< symmetric Dirichlet energy, above that of cloth that keeps its shape
-    Normal,      ///< normal of the 3D cloth, as a colour ([Wan05], figures)
-    Gap,         ///< distance of the sewn pattern outside the design, mm
-    WornStrain,  ///< largest principal strain of the sewn cloth
-};
-
-inline constexpr int kOverlayCount = 13;
-
-/// Names of the overlays on the command line and in project files. Released names stay.
-inline constexpr Word<Overlay> kOverlayWords[] = {
-    {Overlay::None, "none"},
-    {Overlay::Checker, "checker"},
-    {Overlay::Area, "area"},
-    {Overlay::Angle, "angle"},
-    {Overlay::Strain, "strain"},
-    {Overlay::Warp, "warp"},
-    {Overlay::Weft, "weft"},
-    {Overlay::Bias, "bias"},
-    {Overlay::Principal, "principal"},
-    {Overlay::Dirichlet, "dirichlet"},
-    {Overlay::Normal, "normal"},
-    {Overlay::Gap, "gap"},
-    {Overlay::WornStrain, "worn-strain"},
-};
-static_assert(std::size(kOverlayWords) == kOverlayCount, "each overlay needs a word");
-
-/// True if the overlay shows a number and so needs a colour bar.
-constexpr bool isMeasured(Overlay overlay) {
-    return overlay != Overlay::None && overlay != Overlay::Checker && overlay != Overlay::Normal;
-}
-
-/// True if the number comes from a proof: there is none before.
-constexpr bool isOfProof(Overlay overlay) {
-    return overlay == Overlay::Gap || overlay == Overlay::WornStrain;
-}
-
-/// True if the number depends on the grain.
-constexpr bool followsGrain(Overlay overlay) {
-    return overlay == Overlay::Warp || overlay == Overlay::Weft || overlay == Overlay::Bias;
-}
-
-/// True if the number has a sign, with 0 in the middle of the colours.
-constexpr bool isSigned(Overlay overlay) {
-    return overlay != Overlay::Angle && overlay != Overlay::Dirichlet;
-}
 
 /// The lists below the views, from left to right, and the panels beside them.
 enum class Panel {

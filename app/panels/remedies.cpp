@@ -162,7 +162,7 @@ std::vector<ActionId> actionsOf(Remedy remedy) {
         case Remedy::BestGrain:
             return {ActionId::BestGrain};
         case Remedy::ShowStrain:
-            return {ActionId::OverlayStrain};
+            return {overlayAction(Overlay::Strain)};
         case Remedy::PutDart:
             return {ActionId::ToolDart};
         case Remedy::LayOutAgain:

@@ -81,7 +81,7 @@ const ColourMap& sequentialMap() {
 }
 
 const ColourMap& colourMap(Overlay overlay) {
-    return isSigned(overlay) ? divergingMap() : sequentialMap();
+    return traits(overlay).hasSign ? divergingMap() : sequentialMap();
 }
 
 Rgb pieceColour(int piece) {

@@ -188,7 +188,7 @@ bool isSameQuestion(const OverlayQuestion& one, const OverlayQuestion& other) {
         return false;
     }
     const auto isSameCloth = [&](const SheetPlace& a, const SheetPlace& b) -> bool {
-        return (a.grain == b.grain || !followsGrain(one.overlay)) && a.fabric == b.fabric;
+        return (a.grain == b.grain || !traits(one.overlay).usesGrain) && a.fabric == b.fabric;
     };
     return std::ranges::equal(one.places, other.places, isSameCloth);
 }

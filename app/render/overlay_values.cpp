@@ -140,25 +140,17 @@ std::optional<OverlayLimits> fabricLimits(Overlay overlay, const Fabric& fabric)
     if (!hasLimits(fabric)) {
         return std::nullopt;
     }
-    switch (overlay) {
-        case Overlay::Warp:
-            return inPercent(fabric.warp);
-        case Overlay::Weft:
-            return inPercent(fabric.weft);
-        case Overlay::Bias:
-            return inPercent(fabric.bias);
-        case Overlay::Strain:
-        case Overlay::Principal:
-        case Overlay::WornStrain:
-            return inPercent(tightest(fabric));
-        case Overlay::None:
-        case Overlay::Checker:
-        case Overlay::Normal:
-        case Overlay::Area:
-        case Overlay::Angle:
-        case Overlay::Dirichlet:
-        case Overlay::Gap:
+    switch (traits(overlay).limit) {
+        case LimitedBy::Nothing:
             break;
+        case LimitedBy::Warp:
+            return inPercent(fabric.warp);
+        case LimitedBy::Weft:
+            return inPercent(fabric.weft);
+        case LimitedBy::Bias:
+            return inPercent(fabric.bias);
+        case LimitedBy::Tightest:
+            return inPercent(tightest(fabric));
     }
     return std::nullopt;
 }

@@ -17,11 +17,6 @@ namespace toile::app {
 
 namespace {
 
-/// Smallest scale ends: differences below these are irrelevant to cloth.
-constexpr double kFinestPercent = 0.1;
-constexpr double kFinestDegrees = 0.1;
-constexpr double kFinestEnergy = 0.01;  // percent
-
 Eigen::AlignedBox3d boundsOf(const Points3& V) {
     Eigen::AlignedBox3d box;
     for (Eigen::Index i = 0; i < V.rows(); ++i) {
@@ -147,7 +142,7 @@ private:
     float index_ = 0;
 };
 
-OverlayScale scaleOf(const Scene& scene, Overlay overlay, double finest) {
+OverlayScale scaleOf(const Scene& scene, Overlay overlay) {
     const OverlayScale either{-1, 1};  // weighs both signs equally
     std::vector<float> values;
     values.reserve(scene.vertices.size());
@@ -157,7 +152,7 @@ OverlayScale scaleOf(const Scene& scene, Overlay overlay, double finest) {
                 overlayValue(overlay, sampleOf(vertex), Eigen::Vector2d::UnitY(), either)));
         }
     }
-    return robustScale(std::move(values), isSigned(overlay), finest);
+    return robustScale(std::move(values), traits(overlay).hasSign, traits(overlay).finest);
 }
 
 void reserve(const Garment& garment, SceneCloth& scene) {
@@ -209,14 +204,12 @@ std::shared_ptr<const SceneCloth> makeCloth(const Garment& garment, const PieceR
     }
     const Scene scene(cloth);
     cloth->glyphs = makeStrainGlyphs(scene);
-    for (const auto& [overlay, finest] :
-         {std::pair(Overlay::Area, kFinestPercent), std::pair(Overlay::Angle, kFinestDegrees),
-          std::pair(Overlay::Dirichlet, kFinestEnergy),
-          std::pair(Overlay::Principal, kFinestPercent)}) {
-        cloth->scales[static_cast<std::size_t>(overlay)] = scaleOf(scene, overlay, finest);
-    }
-    for (const Overlay strain : {Overlay::Strain, Overlay::Warp, Overlay::Weft, Overlay::Bias}) {
-        cloth->scales[static_cast<std::size_t>(strain)] = scene.scale(Overlay::Principal);
+    const OverlayScale strain = scaleOf(scene, Overlay::Principal);
+    for (const OverlayTraits& known : kOverlays) {
+        if (known.kind == OverlayKind::Flat) {
+            cloth->scales[static_cast<std::size_t>(known.overlay)] =
+                known.limit == LimitedBy::Nothing ? scaleOf(scene, known.overlay) : strain;
+        }
     }
     return cloth;
 }

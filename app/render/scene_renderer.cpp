@@ -187,7 +187,7 @@ void SceneRenderer::begin(ShaderProgram& program, const Frame& frame) {
 
 void SceneRenderer::bindColourMap(Overlay overlay) {
     glActiveTexture(GL_TEXTURE0 + kColourMapUnit);
-    glBindTexture(GL_TEXTURE_2D, isSigned(overlay) ? divergingMap_ : sequentialMap_);
+    glBindTexture(GL_TEXTURE_2D, traits(overlay).hasSign ? divergingMap_ : sequentialMap_);
 }
 
 bool SceneRenderer::hasFaceTable() {

@@ -14,8 +14,6 @@ namespace toile::app {
 
 namespace {
 
-/// Smallest scale ends, mm and percent: less is irrelevant to cloth.
-constexpr double kFinestGap = 0.1, kFinestWornStrain = 0.1;
 constexpr double kSewnPercent = 100;
 
 /// The nearest triangle of a piece, as vertices of the scene, and barycentric weights.
@@ -165,8 +163,9 @@ std::shared_ptr<const SewnCloth> sewnCloth(std::shared_ptr<const Scene> scene,
                                                               : onCloth(anchor, cloth->vertices));
     }
     if (proof) {
-        cloth->gap = spanOf(cloth->vertices, &SewnVertex::gap, kFinestGap);
-        cloth->strain = spanOf(cloth->vertices, &SewnVertex::strain, kFinestWornStrain);
+        cloth->gap = spanOf(cloth->vertices, &SewnVertex::gap, traits(Overlay::Gap).finest);
+        cloth->strain =
+            spanOf(cloth->vertices, &SewnVertex::strain, traits(Overlay::WornStrain).finest);
     }
     cloth->scene = std::move(scene);
     cloth->anchors = std::move(anchors);

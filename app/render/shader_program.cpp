@@ -32,6 +32,16 @@ QString wordsOf(GLuint object, Parameter parameter, Log log) {
     return text.isEmpty() ? QString("no reason given") : text;
 }
 
+/// Declares the number of every overlay in one line: "const int kOverlayNone = 0; ...".
+QByteArray overlayNumbers() {
+    QByteArray line;
+    for (const OverlayTraits& known : kOverlays) {
+        line += "const int kO" + QByteArray(known.action.name + 1) + " = " +
+                QByteArray::number(static_cast<int>(known.overlay)) + "; ";
+    }
+    return line + '\n';
+}
+
 /// Unbleached cotton, the usual cloth of a toile.
 constexpr Rgb kPlainCloth{226, 217, 200};
 
@@ -95,8 +105,8 @@ void ShaderProgram::setOpaque(const char* name, const QColor& colour) {
 std::unique_ptr<ShaderProgram> loadProgram(const std::vector<std::string_view>& files,
                                            QString& problem) {
     std::unique_ptr<ShaderProgram> program(new ShaderProgram());
-    const QByteArray version = "#version 330 core\n";
-    QByteArray source = version;
+    const QByteArray head = "#version 330 core\n" + overlayNumbers();
+    QByteArray source = head;
     for (const std::string_view name : files) {
         QFile file(":/shaders/" + QString::fromUtf8(name));
         if (!file.open(QIODevice::ReadOnly)) {
@@ -111,7 +121,7 @@ std::unique_ptr<ShaderProgram> loadProgram(const std::vector<std::string_view>& 
             problem = file.fileName() + ": " + words;
             return nullptr;
         }
-        source = version;
+        source = head;
     }
     if (const QString words = program->link(); !words.isEmpty()) {
         problem = words;

@@ -53,7 +53,8 @@ private:
 };
 
 /// Links a program from resources/shaders. Joins the files of a stage in order, after a `#version`
-/// line. The ending selects the stage: .vert, .geom, .frag; .glsl belongs to the next file.
+/// line and the numbers of the overlays. The ending selects the stage: .vert, .geom, .frag; .glsl
+/// belongs to the next file.
 /// @param problem receives the driver's message if null is returned
 std::unique_ptr<ShaderProgram> loadProgram(const std::vector<std::string_view>& files,
                                            QString& problem);

@@ -175,15 +175,17 @@ QString methodName(Method method) {
 
 namespace {
 
-/// Translation context.
-class OverlayText {
-    Q_DECLARE_TR_FUNCTIONS(OverlayText)
-};
+QString unitText(OverlayUnit unit) {
+    return unit == OverlayUnit::Percent   ? QStringLiteral("%")
+           : unit == OverlayUnit::Degrees ? QStringLiteral("°")
+           : unit == OverlayUnit::Length  ? lengthUnit()
+                                          : QString();
+}
 
 QString withSign(Overlay overlay, double value, const QString& digits) {
     // No sign if the value rounds to zero.
     const bool isZero = QLocale().toDouble(digits) == 0;
-    if (isZero || (value > 0 && !isSigned(overlay))) {
+    if (isZero || (value > 0 && !traits(overlay).hasSign)) {
         return digits;
     }
     return (value < 0 ? QString(kMinus) : QString('+')) + digits;
@@ -192,78 +194,41 @@ QString withSign(Overlay overlay, double value, const QString& digits) {
 }  // namespace
 
 OverlayWords overlayWords(Overlay overlay) {
-    switch (overlay) {
-        case Overlay::None:
-            return {OverlayText::tr("Piece colours"),
-                    {},
-                    OverlayText::tr("each piece in its own colour")};
-        case Overlay::Checker:
-            return {OverlayText::tr("Checkerboard"),
-                    {},
-                    LengthDisplay::instance().format().unit == LengthUnit::Inch
-                        ? OverlayText::tr("squares of 1/2 in on the flat cloth")
-                        : OverlayText::tr("squares of 1 cm on the flat cloth")};
-        case Overlay::Area:
-            return {OverlayText::tr("Area change"), OverlayText::tr("%"),
-                    OverlayText::tr("3D against flat: orange stretches, blue has surplus")};
-        case Overlay::Angle:
-            return {OverlayText::tr("Angle change"), OverlayText::tr("°"),
-                    OverlayText::tr("largest change of a triangle's corner angle")};
-        case Overlay::Strain:
-            return {OverlayText::tr("Edge strain"), OverlayText::tr("%"),
-                    OverlayText::tr("mesh edges: orange stretches, blue has surplus")};
-        case Overlay::Warp:
-            return {OverlayText::tr("Strain along warp"), OverlayText::tr("%"),
-                    OverlayText::tr("along the grain: orange stretches, blue has surplus")};
-        case Overlay::Weft:
-            return {OverlayText::tr("Strain along weft"), OverlayText::tr("%"),
-                    OverlayText::tr("across the grain: orange stretches, blue has surplus")};
-        case Overlay::Bias:
-            return {OverlayText::tr("Strain on the bias"), OverlayText::tr("%"),
-                    OverlayText::tr("at 45° to the grain, the worse of both diagonals")};
-        case Overlay::Principal:
-            return {OverlayText::tr("Principal strain"), OverlayText::tr("%"),
-                    OverlayText::tr("outward arrows stretch, inward arrows have surplus")};
-        case Overlay::Dirichlet:
-            return {OverlayText::tr("Distortion energy"), OverlayText::tr("%"),
-                    OverlayText::tr("symmetric Dirichlet energy; 0 if the cloth keeps its shape")};
-        case Overlay::Normal:
-            return {OverlayText::tr("Surface normals"),
-                    {},
-                    OverlayText::tr("direction of the 3D surface, one colour for each axis")};
-        case Overlay::Gap:
-            return {OverlayText::tr("Gap"), lengthUnit(),
-                    OverlayText::tr("sewn cloth against design: orange outside, blue inside")};
-        case Overlay::WornStrain:
-            return {OverlayText::tr("Worn strain"), OverlayText::tr("%"),
-                    OverlayText::tr("sewn cloth: orange pulls, blue is slack")};
-    }
-    return {};
+    const OverlayTraits& known = traits(overlay);
+    const bool inInches = LengthDisplay::instance().format().unit == LengthUnit::Inch;
+    const char* meaning = overlay == Overlay::Checker && inInches
+                              ? TR("squares of 1/2 in on the flat cloth")
+                              : known.meaning;
+    // In menus, overlays of a proof also name the sewn cloth.
+    const char* title = isOfProof(overlay) ? known.action.shortText : known.action.text;
+    return {tr(title).remove('&'), unitText(known.unit), tr(meaning)};
 }
 
 double overlayUnit(Overlay overlay) {
-    return overlay == Overlay::Gap ? millimetresPer(LengthDisplay::instance().format().unit) : 1;
+    return traits(overlay).unit == OverlayUnit::Length
+               ? millimetresPer(LengthDisplay::instance().format().unit)
+               : 1;
 }
 
 QString overlayNumber(Overlay overlay, double value) {
     // More digits of a limit in inches are not useful.
-    const int digits = overlay == Overlay::Gap ? 3 : 4;
+    const int digits = traits(overlay).unit == OverlayUnit::Length ? 3 : 4;
     return withSign(overlay, value,
                     QLocale().toString(std::abs(value) / overlayUnit(overlay), 'g', digits));
 }
 
 QString overlayValueText(Overlay overlay, double value) {
-    if (overlay == Overlay::Gap) {
+    const OverlayTraits& known = traits(overlay);
+    if (known.unit == OverlayUnit::Length) {
         return signedFineLength(value) + QChar(0x202F) + lengthUnit();
     }
-    const int decimals = overlay == Overlay::Dirichlet ? 2 : 1;
     const double size = std::abs(value);
     // Decimals are meaningless for such large values, as at a torn triangle.
-    const QString digits = QLocale().toString(size, 'f', size >= 1000 ? 0 : decimals);
+    const QString digits = QLocale().toString(size, 'f', size >= 1000 ? 0 : known.decimals);
     const QString number = withSign(overlay, value, digits);
-    const QString unit = overlayWords(overlay).unit;
+    const QString unit = unitText(known.unit);
     // A narrow no-break space precedes the percent sign, but not the degree sign.
-    return overlay == Overlay::Angle ? number + unit : number + QChar(0x202F) + unit;
+    return known.unit == OverlayUnit::Degrees ? number + unit : number + QChar(0x202F) + unit;
 }
 
 }  // namespace toile::app

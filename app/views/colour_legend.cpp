@@ -5,9 +5,9 @@
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
+#include "app/base/text.h"
 #include "app/text/figures.h"
 
 namespace toile::app {
@@ -40,30 +40,11 @@ QString shareText(double share, long percent) {
     return LegendWords::tr("%1 %").arg(number);
 }
 
-/// Sentences for cloth beyond the fabric's limits, and for none beyond.
-struct LimitWords {
-    Overlay overlay;
-    const char *beyond, *within;
-};
-
-constexpr LimitWords kLimitWords[] = {
-    {Overlay::Warp, QT_TRANSLATE_NOOP("ColourBar", "%1 of the cloth exceeds the warp limits"),
-     QT_TRANSLATE_NOOP("ColourBar", "all cloth is within the warp limits")},
-    {Overlay::Weft, QT_TRANSLATE_NOOP("ColourBar", "%1 of the cloth exceeds the weft limits"),
-     QT_TRANSLATE_NOOP("ColourBar", "all cloth is within the weft limits")},
-    {Overlay::Bias, QT_TRANSLATE_NOOP("ColourBar", "%1 of the cloth exceeds the bias limits"),
-     QT_TRANSLATE_NOOP("ColourBar", "all cloth is within the bias limits")},
-    {Overlay::Strain,
-     QT_TRANSLATE_NOOP("ColourBar", "%1 of the cloth has an edge beyond the tightest limit"),
-     QT_TRANSLATE_NOOP("ColourBar", "no edge is beyond the tightest limit")},
-    {Overlay::Principal,  // and the remaining limited ones
-     QT_TRANSLATE_NOOP("ColourBar", "%1 of the cloth exceeds the tightest limit"),
-     QT_TRANSLATE_NOOP("ColourBar", "all cloth is within the tightest limit")},
-};
-
-const LimitWords& limitWords(Overlay overlay) {
-    const auto* found = std::ranges::find(kLimitWords, overlay, &LimitWords::overlay);
-    return found == std::end(kLimitWords) ? kLimitWords[std::size(kLimitWords) - 1] : *found;
+const char* limitSentence(Overlay overlay, bool isBeyond) {
+    const char* own = isBeyond ? traits(overlay).beyond : traits(overlay).within;
+    return own        ? own
+           : isBeyond ? TR("%1 of the cloth exceeds the tightest limit")
+                      : TR("all cloth is within the tightest limit");
 }
 
 }  // namespace
@@ -117,10 +98,8 @@ QString ColourLegend::shareSentence() const {
         return {};
     }
     const double share = histogram->beyond();
-    const LimitWords& words = limitWords(overlay);
-    return share > 0
-               ? LegendWords::tr(words.beyond).arg(shareText(share, EndPercents(*histogram).all))
-               : LegendWords::tr(words.within);
+    const QString sentence = tr(limitSentence(overlay, share > 0));
+    return share > 0 ? sentence.arg(shareText(share, EndPercents(*histogram).all)) : sentence;
 }
 
 QString ColourLegend::markedShareSentence() const {

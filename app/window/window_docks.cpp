@@ -9,6 +9,8 @@
 #include <QScrollArea>
 #include <QTreeView>
 #include <QUndoView>
+#include <algorithm>
+#include <iterator>
 
 #include "app/actions/action_registry.h"
 #include "app/document/shown_proof.h"
@@ -42,26 +44,6 @@ constexpr int kListsHeight = 215, kPropertiesWidth = 280, kPropertiesHeight = 40
 /// True for docks beside the views, false for those below them.
 bool isBeside(Panel panel) {
     return panel == Panel::Properties || panel == Panel::Fabric;
-}
-
-/// The overlay that shows a finding, if there is one.
-std::optional<Overlay> overlayFor(FindingKind kind) {
-    switch (kind) {
-        case FindingKind::StrainWarp:
-            return Overlay::Warp;
-        case FindingKind::StrainWeft:
-            return Overlay::Weft;
-        case FindingKind::StrainBias:
-            return Overlay::Bias;
-        case FindingKind::StrainBeyondCloth:
-            return Overlay::Strain;
-        case FindingKind::FlippedTriangles:
-            return Overlay::Area;  // flipped triangles have negative area
-        case FindingKind::SewnGap:
-            return Overlay::Gap;
-        default:
-            return std::nullopt;
-    }
 }
 
 }  // namespace
@@ -350,8 +332,10 @@ void WindowDocks::showFindings(const QList<int>& indices) {
         return;  // the findings belong to a previous garment
     }
     const Finding& first = findings[static_cast<std::size_t>(indices.front())];
-    if (const auto overlay = overlayFor(first.kind)) {
-        document_.setOverlay(*overlay);
+    const auto* shows =
+        std::ranges::find(kOverlays, std::optional(first.kind), &OverlayTraits::finding);
+    if (shows != std::end(kOverlays)) {
+        document_.setOverlay(shows->overlay);
         document_.setView(
             &ViewState::valuesPerTriangle,
             document_.view().valuesPerTriangle || first.kind == FindingKind::FlippedTriangles);

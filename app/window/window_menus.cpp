@@ -130,7 +130,7 @@ MenuMaker makerOf(const ActionRegistry& actions, const QList<QDockWidget*>& list
 
 OverlayButtons::OverlayButtons(QToolBar& bar, const ActionRegistry& actions)
     : QObject(&bar),
-      last_{&actions[ActionId::OverlayStrain], &actions[ActionId::OverlayNone]},
+      last_{&actions[overlayAction(Overlay::Strain)], &actions[overlayAction(Overlay::None)]},
       choice_(new QToolButton(&bar)) {
     choice_->setObjectName("overlayChoice");
     choice_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -138,13 +138,11 @@ OverlayButtons::OverlayButtons(QToolBar& bar, const ActionRegistry& actions)
     choice_->setToolTip(tr("Colours shown on the cloth in both views"));
     choice_->setAccessibleName(tr("Overlay"));
     auto* menu = new QMenu(choice_);
-    for (const ActionSpec& spec : actionTable()) {
-        if (spec.work.group == ActionGroup::Overlay) {
-            QAction& action = actions[spec.id];
-            overlays_ << &action;
-            menu->addAction(&action);
-            connect(&action, &QAction::changed, this, &OverlayButtons::follow);
-        }
+    for (const OverlayTraits& known : kOverlays) {
+        QAction& action = actions[overlayAction(known.overlay)];
+        overlays_ << &action;
+        menu->addAction(&action);
+        connect(&action, &QAction::changed, this, &OverlayButtons::follow);
     }
     choice_->setMenu(menu);
     bar.addWidget(choice_);

@@ -1,21 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What both views paint on the cloth. Joined in front of garment.frag and pattern.frag. The numbers
-// are worked out as in app/render/overlay_values.cpp.
-
-// Overlay, as in app/document/view_state.h
-const int kOverlayNone = 0;
-const int kOverlayChecker = 1;
-const int kOverlayArea = 2;
-const int kOverlayAngle = 3;
-const int kOverlayStrain = 4;
-const int kOverlayWarp = 5;
-const int kOverlayWeft = 6;
-const int kOverlayBias = 7;
-const int kOverlayPrincipal = 8;
-const int kOverlayDirichlet = 9;
-const int kOverlayNormal = 10;
-const int kOverlayGap = 11;
-const int kOverlayWornStrain = 12;
+// are worked out as in app/render/overlay_values.cpp. loadProgram declares kOverlayNone, kOverlayChecker
+// and so on, from the table in app/document/overlay.h.
 
 const int kPieceSelected = 1;
 const int kPieceFlat = 2;

@@ -47,46 +47,6 @@
         <translation>%1; %2</translation>
     </message>
     <message>
-        <source>%1 of the cloth has an edge beyond the tightest limit</source>
-        <translation>%1 des Stoffes haben eine Kante jenseits der engsten Grenze</translation>
-    </message>
-    <message>
-        <source>no edge is beyond the tightest limit</source>
-        <translation>keine Kante liegt jenseits der engsten Grenze</translation>
-    </message>
-    <message>
-        <source>%1 of the cloth exceeds the warp limits</source>
-        <translation>%1 des Stoffes liegen außerhalb der Grenzen der Kette</translation>
-    </message>
-    <message>
-        <source>all cloth is within the warp limits</source>
-        <translation>aller Stoff liegt in den Grenzen der Kette</translation>
-    </message>
-    <message>
-        <source>%1 of the cloth exceeds the weft limits</source>
-        <translation>%1 des Stoffes liegen außerhalb der Grenzen des Schusses</translation>
-    </message>
-    <message>
-        <source>all cloth is within the weft limits</source>
-        <translation>aller Stoff liegt in den Grenzen des Schusses</translation>
-    </message>
-    <message>
-        <source>%1 of the cloth exceeds the bias limits</source>
-        <translation>%1 des Stoffes liegen außerhalb der Grenzen im schrägen Fadenlauf</translation>
-    </message>
-    <message>
-        <source>all cloth is within the bias limits</source>
-        <translation>aller Stoff liegt in den Grenzen im schrägen Fadenlauf</translation>
-    </message>
-    <message>
-        <source>%1 of the cloth exceeds the tightest limit</source>
-        <translation>%1 des Stoffes liegen außerhalb der engsten Grenze</translation>
-    </message>
-    <message>
-        <source>all cloth is within the tightest limit</source>
-        <translation>aller Stoff liegt in der engsten Grenze</translation>
-    </message>
-    <message>
         <source>sewing in progress</source>
         <translation>wird gerade genäht</translation>
     </message>
@@ -337,125 +297,6 @@
 out of date</source>
         <translation>%1
 veraltet</translation>
-    </message>
-</context>
-<context>
-    <name>OverlayText</name>
-    <message>
-        <source>Piece colours</source>
-        <translation>Teilefarben</translation>
-    </message>
-    <message>
-        <source>each piece in its own colour</source>
-        <translation>jedes Schnittteil in seiner eigenen Farbe</translation>
-    </message>
-    <message>
-        <source>Checkerboard</source>
-        <translation>Karos</translation>
-    </message>
-    <message>
-        <source>squares of 1 cm on the flat cloth</source>
-        <translation>Quadrate von 1 cm auf dem flachen Stoff</translation>
-    </message>
-    <message>
-        <source>Area change</source>
-        <translation>Flächenänderung</translation>
-    </message>
-    <message>
-        <source>%</source>
-        <translation>%</translation>
-    </message>
-    <message>
-        <source>Angle change</source>
-        <translation>Winkeländerung</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
-        <source>Edge strain</source>
-        <translation>Dehnung</translation>
-    </message>
-    <message>
-        <source>Strain along warp</source>
-        <translation>Dehnung längs der Kette</translation>
-    </message>
-    <message>
-        <source>along the grain: orange stretches, blue has surplus</source>
-        <translation>im Fadenlauf: Orange dehnt sich, Blau hat zu viel</translation>
-    </message>
-    <message>
-        <source>Strain along weft</source>
-        <translation>Dehnung längs des Schusses</translation>
-    </message>
-    <message>
-        <source>across the grain: orange stretches, blue has surplus</source>
-        <translation>quer zum Fadenlauf: Orange dehnt sich, Blau hat zu viel</translation>
-    </message>
-    <message>
-        <source>Strain on the bias</source>
-        <translation>Dehnung im Schrägen</translation>
-    </message>
-    <message>
-        <source>at 45° to the grain, the worse of both diagonals</source>
-        <translation>unter 45° zum Fadenlauf, die schlechtere der beiden Diagonalen</translation>
-    </message>
-    <message>
-        <source>Principal strain</source>
-        <translation>Hauptdehnung</translation>
-    </message>
-    <message>
-        <source>Distortion energy</source>
-        <translation>Verzerrungsenergie</translation>
-    </message>
-    <message>
-        <source>Surface normals</source>
-        <translation>Flächennormalen</translation>
-    </message>
-    <message>
-        <source>squares of 1/2 in on the flat cloth</source>
-        <translation>Quadrate von 1/2 in auf dem flachen Stoff</translation>
-    </message>
-    <message>
-        <source>Gap</source>
-        <translation>Abstand</translation>
-    </message>
-    <message>
-        <source>Worn strain</source>
-        <translation>Dehnung genäht</translation>
-    </message>
-    <message>
-        <source>3D against flat: orange stretches, blue has surplus</source>
-        <translation>3D gegen flach: Orange dehnt sich, Blau hat zu viel</translation>
-    </message>
-    <message>
-        <source>largest change of a triangle&apos;s corner angle</source>
-        <translation>größte Änderung eines Winkels im Dreieck</translation>
-    </message>
-    <message>
-        <source>mesh edges: orange stretches, blue has surplus</source>
-        <translation>Netzkanten: Orange dehnt sich, Blau hat zu viel</translation>
-    </message>
-    <message>
-        <source>outward arrows stretch, inward arrows have surplus</source>
-        <translation>Pfeile nach außen: Dehnung, Pfeile nach innen: zu viel</translation>
-    </message>
-    <message>
-        <source>symmetric Dirichlet energy; 0 if the cloth keeps its shape</source>
-        <translation>symmetrische Dirichlet-Energie; 0, wenn der Stoff seine Form behält</translation>
-    </message>
-    <message>
-        <source>direction of the 3D surface, one colour for each axis</source>
-        <translation>Richtung der 3D-Oberfläche, eine Farbe je Achse</translation>
-    </message>
-    <message>
-        <source>sewn cloth against design: orange outside, blue inside</source>
-        <translation>genähter Stoff gegen Entwurf: Orange außen, Blau innen</translation>
-    </message>
-    <message>
-        <source>sewn cloth: orange pulls, blue is slack</source>
-        <translation>genähter Stoff: Orange spannt, Blau ist lose</translation>
     </message>
 </context>
 <context>
@@ -7048,6 +6889,102 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>%1 x %2 mm are too large for a picture at any resolution</source>
         <translation>%1 x %2 mm sind für ein Bild in jeder Auflösung zu groß</translation>
+    </message>
+    <message>
+        <source>each piece in its own colour</source>
+        <translation>jedes Schnittteil in seiner eigenen Farbe</translation>
+    </message>
+    <message>
+        <source>squares of 1 cm on the flat cloth</source>
+        <translation>Quadrate von 1 cm auf dem flachen Stoff</translation>
+    </message>
+    <message>
+        <source>3D against flat: orange stretches, blue has surplus</source>
+        <translation>3D gegen flach: Orange dehnt sich, Blau hat zu viel</translation>
+    </message>
+    <message>
+        <source>largest change of a triangle&apos;s corner angle</source>
+        <translation>größte Änderung eines Winkels im Dreieck</translation>
+    </message>
+    <message>
+        <source>mesh edges: orange stretches, blue has surplus</source>
+        <translation>Netzkanten: Orange dehnt sich, Blau hat zu viel</translation>
+    </message>
+    <message>
+        <source>%1 of the cloth has an edge beyond the tightest limit</source>
+        <translation>%1 des Stoffes haben eine Kante jenseits der engsten Grenze</translation>
+    </message>
+    <message>
+        <source>no edge is beyond the tightest limit</source>
+        <translation>keine Kante liegt jenseits der engsten Grenze</translation>
+    </message>
+    <message>
+        <source>along the grain: orange stretches, blue has surplus</source>
+        <translation>im Fadenlauf: Orange dehnt sich, Blau hat zu viel</translation>
+    </message>
+    <message>
+        <source>%1 of the cloth exceeds the warp limits</source>
+        <translation>%1 des Stoffes liegen außerhalb der Grenzen der Kette</translation>
+    </message>
+    <message>
+        <source>all cloth is within the warp limits</source>
+        <translation>aller Stoff liegt in den Grenzen der Kette</translation>
+    </message>
+    <message>
+        <source>across the grain: orange stretches, blue has surplus</source>
+        <translation>quer zum Fadenlauf: Orange dehnt sich, Blau hat zu viel</translation>
+    </message>
+    <message>
+        <source>%1 of the cloth exceeds the weft limits</source>
+        <translation>%1 des Stoffes liegen außerhalb der Grenzen des Schusses</translation>
+    </message>
+    <message>
+        <source>all cloth is within the weft limits</source>
+        <translation>aller Stoff liegt in den Grenzen des Schusses</translation>
+    </message>
+    <message>
+        <source>at 45° to the grain, the worse of both diagonals</source>
+        <translation>unter 45° zum Fadenlauf, die schlechtere der beiden Diagonalen</translation>
+    </message>
+    <message>
+        <source>%1 of the cloth exceeds the bias limits</source>
+        <translation>%1 des Stoffes liegen außerhalb der Grenzen im schrägen Fadenlauf</translation>
+    </message>
+    <message>
+        <source>all cloth is within the bias limits</source>
+        <translation>aller Stoff liegt in den Grenzen im schrägen Fadenlauf</translation>
+    </message>
+    <message>
+        <source>outward arrows stretch, inward arrows have surplus</source>
+        <translation>Pfeile nach außen: Dehnung, Pfeile nach innen: zu viel</translation>
+    </message>
+    <message>
+        <source>symmetric Dirichlet energy; 0 if the cloth keeps its shape</source>
+        <translation>symmetrische Dirichlet-Energie; 0, wenn der Stoff seine Form behält</translation>
+    </message>
+    <message>
+        <source>direction of the 3D surface, one colour for each axis</source>
+        <translation>Richtung der 3D-Oberfläche, eine Farbe je Achse</translation>
+    </message>
+    <message>
+        <source>sewn cloth against design: orange outside, blue inside</source>
+        <translation>genähter Stoff gegen Entwurf: Orange außen, Blau innen</translation>
+    </message>
+    <message>
+        <source>sewn cloth: orange pulls, blue is slack</source>
+        <translation>genähter Stoff: Orange spannt, Blau ist lose</translation>
+    </message>
+    <message>
+        <source>squares of 1/2 in on the flat cloth</source>
+        <translation>Quadrate von 1/2 in auf dem flachen Stoff</translation>
+    </message>
+    <message>
+        <source>%1 of the cloth exceeds the tightest limit</source>
+        <translation>%1 des Stoffes liegen außerhalb der engsten Grenze</translation>
+    </message>
+    <message>
+        <source>all cloth is within the tightest limit</source>
+        <translation>aller Stoff liegt in der engsten Grenze</translation>
     </message>
 </context>
 <context>

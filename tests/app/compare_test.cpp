@@ -7,6 +7,7 @@
 #include <QTableView>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "app/compare/compare_window.h"
 #include "app/render/scene.h"
@@ -36,6 +37,30 @@ MeshArrays makeHill(int columns) {
         const double x = (mesh.V(i, 0) - 100) / 60, y = (mesh.V(i, 1) - 100) / 60;
         mesh.V(i, 2) = 60 * std::exp(-x * x - y * y);
     }
+    return mesh;
+}
+
+/// A deep, narrow bag with one opening. The angles of ABF find no solution there.
+MeshArrays makeBag() {
+    constexpr int kAround = 6, kRings = 60;
+    MeshArrays mesh;
+    mesh.V.resize(kAround * kRings + 1, 3);
+    mesh.F.resize(kAround * (2 * kRings - 1), 3);
+    Eigen::Index face = 0;
+    for (int ring = 0; ring < kRings; ++ring) {
+        for (int i = 0; i < kAround; ++i) {
+            const double angle = 2 * std::numbers::pi * i / kAround;
+            const int here = ring * kAround + i, next = ring * kAround + (i + 1) % kAround;
+            mesh.V.row(here) << 5 * std::cos(angle), 5 * std::sin(angle), 10 * ring;
+            if (ring + 1 < kRings) {
+                mesh.F.row(face++) << here, next, next + kAround;
+                mesh.F.row(face++) << here, next + kAround, here + kAround;
+            } else {
+                mesh.F.row(face++) << here, next, kAround * kRings;
+            }
+        }
+    }
+    mesh.V.row(kAround * kRings) << 0, 0, 10 * kRings;
     return mesh;
 }
 
@@ -71,6 +96,7 @@ private slots:
         test::writeObj(fixture_.path("hill.obj").toStdString(), {{"hill", makeHill(60)}});
         test::writeObj(fixture_.path("closed.obj").toStdString(),
                        {{"closed", test::makeTetrahedron(100)}, {"cap", test::makeCap(300)}});
+        test::writeObj(fixture_.path("bag.obj").toStdString(), {{"bag", makeBag()}});
     }
 
     void init() { fixture_.open(); }
@@ -339,6 +365,31 @@ private slots:
             QVERIFY(!picture(i).isVisible());
             QCOMPARE(cell("Mean strain, %", i), QString(QChar(0x2013)));
         }
+    }
+
+    void aFailedMethodLeavesTheOthers() {
+        openAndCompare("bag.obj");
+        const auto solved = entry(1).made.result;
+        QVERIFY(!cell("Mean strain, %", 3).isEmpty());
+        box(3).setCurrentIndex(box(3).findData(static_cast<int>(Method::Abf)));
+        emit box(3).activated(box(3).currentIndex());
+        QVERIFY(waitUntilDone());
+        const auto message = [this](int i) -> QLabel& {
+            return label(qPrintable(QString("compareMessage%1").arg(i)));
+        };
+        const QString none(QChar(0x2013));
+        QVERIFY(entry(3).made.result->error);
+        QCOMPARE(message(3).text(), errorText(*entry(3).made.result->error));
+        QVERIFY(message(3).isVisible());
+        QVERIFY(!picture(3).isVisible());
+        QCOMPARE(cell("Mean strain, %", 3), none);
+        for (int i = 0; i < 3; ++i) {
+            QVERIFY(entry(i).made.result->flat);
+            QVERIFY(picture(i).isVisible());
+            QVERIFY(!message(i).isVisible());
+            QVERIFY(cell("Mean strain, %", i) != none);
+        }
+        QCOMPARE(entry(1).made.result, solved);
     }
 
 private:

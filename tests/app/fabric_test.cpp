@@ -100,7 +100,7 @@ private slots:
         QVERIFY(fixture_.find<QLabel>("fabricUnstated").isVisible());
         QVERIFY(!field("fabricWarpMost").isVisible());
         QCOMPARE(fabricFit(question())->any, 0.0);
-        fixture_.action(ActionId::OverlayWeft).trigger();
+        fixture_.action(overlayAction(Overlay::Weft)).trigger();
         auto& bar = fixture_.find<ColourBar>("colourBar");
         QTRY_VERIFY_WITH_TIMEOUT(fixture_.window().views().isUpToDate(), test::kPatience);
         QVERIFY2(!bar.summary().contains("limits"), qPrintable(bar.summary()));
@@ -216,7 +216,7 @@ private slots:
     }
 
     void theColourBarEndsAtTheNewLimits() {
-        fixture_.action(ActionId::OverlayWeft).trigger();
+        fixture_.action(overlayAction(Overlay::Weft)).trigger();
         auto& bar = fixture_.find<ColourBar>("colourBar");
         QTRY_VERIFY_WITH_TIMEOUT(bar.summary().contains("+3 %"), test::kPatience);
         const QString woven = bar.summary();
@@ -231,7 +231,7 @@ private slots:
         if (!fixture_.window().views().patternView()) {
             QSKIP("no OpenGL here");
         }
-        fixture_.action(ActionId::OverlayWeft).trigger();
+        fixture_.action(overlayAction(Overlay::Weft)).trigger();
         const QImage woven = fixture_.patternPicture();
         type("fabricWeftMost", "60");
         type("fabricWeftLeast", "-40");
@@ -445,7 +445,7 @@ private slots:
             QSKIP("no OpenGL here");
         }
         document().setView(&ViewState::worstSpots, false);
-        fixture_.action(ActionId::OverlayWeft).trigger();
+        fixture_.action(overlayAction(Overlay::Weft)).trigger();
         document().setSelection({1});
         typeMaterial("Lining");
         document().setSelection({});

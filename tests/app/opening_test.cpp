@@ -186,8 +186,9 @@ private:
         fixture_.close();
         fixture_.open();
         QVERIFY(fixture_.openAndWait(before));
-        for (const ActionId id : {ActionId::SplitUv, ActionId::CloseSlits, ActionId::OverlayStrain,
-                                  ActionId::LookBack, ActionId::Wireframe}) {
+        for (const ActionId id :
+             {ActionId::SplitUv, ActionId::CloseSlits, overlayAction(Overlay::Strain),
+              ActionId::LookBack, ActionId::Wireframe}) {
             fixture_.action(id).trigger();
             QVERIFY(fixture_.waitForResults());
         }

@@ -104,7 +104,7 @@ private slots:
             return !bar.valueText().isEmpty() && label(view).text().contains(bar.valueText());
         };
         const QPointF middle = onPatternPiece(0);
-        fixture_.action(ActionId::OverlayArea).trigger();
+        fixture_.action(overlayAction(Overlay::Area)).trigger();
         QSet<QString> texts;
         for (int i = -5; i <= 5; ++i) {
             moveTo(patternView(), middle + QPointF(0, 20 * i));
@@ -119,17 +119,17 @@ private slots:
         DocumentState next = document().state();
         next.fabric = *fabricPreset("woven");
         document().edit("Fabric", std::move(next));
-        fixture_.action(ActionId::OverlayWarp).trigger();
+        fixture_.action(overlayAction(Overlay::Warp)).trigger();
         QVERIFY(tellsTheSame(patternView()));
         QVERIFY(label(patternView()).text().contains("Strain along warp"));
         QVERIFY(label(patternView()).text().contains("(limit "));
         moveTo(garmentView(), garmentView().rect().center());
         QVERIFY(tellsTheSame(garmentView()));
-        fixture_.action(ActionId::OverlayChecker).trigger();
+        fixture_.action(overlayAction(Overlay::Checker)).trigger();
         QVERIFY(label(garmentView()).text().endsWith("cm²"));
 
         // From near by, of a vertex.
-        fixture_.action(ActionId::OverlayArea).trigger();
+        fixture_.action(overlayAction(Overlay::Area)).trigger();
         const int face = static_cast<int>(document().garment()->pieces[0]->mesh.F.rows() / 2);
         const auto near = [&](double share) {
             return *patternView().onScreen(0, face,

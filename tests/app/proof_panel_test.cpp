@@ -142,7 +142,7 @@ private slots:
 
     void anOverlayOfSewnClothAsksForTheProof() {
         openSample("sheet.obj");
-        fixture_.action(ActionId::OverlayGap).trigger();
+        fixture_.action(overlayAction(Overlay::Gap)).trigger();
         QVERIFY(find<QPushButton>("proveButton").isVisible());
         const QImage before = fixture_.garmentPicture();
         QVERIFY(!shownValueAt(document(), {.piece = 0, .face = 0}));
@@ -161,7 +161,7 @@ private slots:
         const auto& face = document().garment()->pieces[0]->mesh.F.row(0);
         const SurfaceHit corner{.piece = 0, .face = 0, .barycentric = {1, 0, 0}};
         QVERIFY(std::abs(*shownValueAt(document(), corner) - found.pieces[0].gap[face[0]]) < 1e-4);
-        fixture_.action(ActionId::OverlayWornStrain).trigger();
+        fixture_.action(overlayAction(Overlay::WornStrain)).trigger();
         QVERIFY(std::abs(*shownValueAt(document(), corner) -
                          100 * found.pieces[0].strain[face[0]]) < 1e-4);
     }

@@ -29,7 +29,7 @@ private slots:
     void init() {
         fixture_.open();
         QVERIFY(fixture_.openAndWait(fixture_.path("cap.obj")));
-        fixture_.action(ActionId::OverlayNone).trigger();
+        fixture_.action(overlayAction(Overlay::None)).trigger();
         QVERIFY(firstSeam() >= 0);
     }
 
