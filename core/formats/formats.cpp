@@ -71,8 +71,12 @@ Result<ExportedFiles> makeCsv(const ExportSource& source) {
     const WalkedGarment walked = walkGarment(source.garment(), source.results(),
                                              source.laid().pattern, source.lines().notches);
     ExportedFiles files = oneFile(writeCsv(pieceTable(source.laid().pattern, source.results())));
-    for (const ReportTable& table : {ledgerTable(source.garment(), source.results()),
-                                     walkTable(source.garment(), walked.notches, walked.walks)}) {
+    std::vector<ReportTable> tables{ledgerTable(source.garment(), source.results()),
+                                    walkTable(source.garment(), walked.notches, walked.walks)};
+    if (ReportTable edges = edgeTable(source.laid().pattern); !edges.rows.empty()) {
+        tables.push_back(std::move(edges));
+    }
+    for (const ReportTable& table : tables) {
         files.push_back({"-" + table.slug + ".csv", writeCsv(table)});
     }
     return files;
@@ -220,7 +224,7 @@ Format kFormats[] = {
            .write = makeHtml},
     Format{.id = FormatId::Csv,
            .name = TR("CSV tables"),
-           .use = TR("spreadsheets: pieces, seams and the walk along them"),
+           .use = TR("spreadsheets: pieces, seams, free edges and the walk along them"),
            .endings = kCsv,
            .write = makeCsv},
     Format{.id = FormatId::Report,

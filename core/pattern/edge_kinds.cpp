@@ -39,6 +39,9 @@ constexpr double kPairLength = 0.6, kPairHeight = 0.35;
 constexpr double kArmhole = 0.45, kLongSleeve = 1.6, kLongReach = 550;
 /// An unsewn panel with one rim, and any flat sheet, have mean normals longer than this.
 constexpr double kLooksOneWay = 0.72, kFlat = 0.97;
+/// The mean direction out of a hood is longer than the first, and its upward component is between
+/// these shares of its length: a hood may lean back, the edge of a collar points down.
+constexpr double kHoodClear = 0.3, kHoodDown = 0.4, kHoodUp = 0.75;
 
 const Vector3d kUp(0, 1, 0);
 
@@ -343,9 +346,10 @@ private:
         if (isOpenFront(opening)) {
             readOpenFront(opening);
         } else if (isTop(opening)) {
-            const double forward = opening.out.norm();  // of a hood
-            const bool isHood = !arms_.empty() && forward > kUpright &&
-                                std::abs(opening.out.dot(kUp)) < 0.4 * forward;
+            const double clear = opening.out.norm();
+            const double up = opening.out.dot(kUp);
+            const bool isHood = !arms_.empty() && clear > kHoodClear && up > -kHoodDown * clear &&
+                                up < kHoodUp * clear;
             opening.set(isHood ? EdgeKind::Hem : topKind());
             markFacing(opening, kUp, EdgeKind::Front);
         } else {

@@ -429,10 +429,29 @@ void limitAllowances(std::vector<PatternPiece>& pieces) {
     const auto isLimited = [](const PatternSegment& segment) {
         return isFreeEdge(segment) && !segment.isAllowanceSet && segment.allowance > 0;
     };
-    struct FreeLength {
-        double length = 0, turn = 0;
+    constexpr double kOwnShare = 0.05;  // of all: shorter edges are not judged alone
+    const auto isCurved = [](const PatternSegment& segment) {
+        return segment.edge == EdgeKind::Neckline || segment.edge == EdgeKind::Armhole;
     };
-    std::map<std::pair<int, EdgeKind>, FreeLength> openings;
+    struct FreeEdges {
+        double length = 0, turn = 0;
+        std::vector<std::pair<double, double>> each{};  ///< lengths and turns of curved edges
+
+        /// Turn per length, 1/mm: of the whole, or of the curved edge that turns most.
+        double curvature() const {
+            double most = std::max(std::abs(turn) / length, 1e-12);
+            for (const auto& [own, turned] : each) {
+                most = own < kOwnShare * length ? most : std::max(most, std::abs(turned) / own);
+            }
+            return most;
+        }
+    };
+    // Necklines have one width, and armholes too, so that the widths meet at the shoulders and the
+    // two sides of a garment are alike.
+    const auto keyOf = [&](const PatternSegment& segment) {
+        return std::pair(isCurved(segment) ? -1 : segment.opening, segment.edge);
+    };
+    std::map<std::pair<int, EdgeKind>, FreeEdges> openings;
     for (PatternPiece& piece : pieces) {
         if (piece.outline.rows() < 3) {
             continue;
@@ -445,9 +464,14 @@ void limitAllowances(std::vector<PatternPiece>& pieces) {
                 segment.limit = AllowanceLimit::Size;
             }
             if (isLimited(segment)) {
-                FreeLength& edges = openings[{segment.opening, segment.edge}];
-                edges.length += segment.to - segment.from;
-                edges.turn += turnWithin(outline, segment);
+                FreeEdges& edges = openings[keyOf(segment)];
+                const double length = segment.to - segment.from;
+                const double turn = turnWithin(outline, segment);
+                edges.length += length;
+                edges.turn += turn;
+                if (isCurved(segment)) {
+                    edges.each.emplace_back(length, turn);
+                }
             }
         }
     }
@@ -466,13 +490,11 @@ void limitAllowances(std::vector<PatternPiece>& pieces) {
             };
             narrow(widthBeside(geometry::Line::closed(piece.outline), segment) / 2,
                    AllowanceLimit::Width);
-            const bool isCurved =
-                segment.edge == EdgeKind::Neckline || segment.edge == EdgeKind::Armhole;
-            const FreeLength& edges = openings.at({segment.opening, segment.edge});
-            if (isCurved || isTurnedUp(segment)) {
-                narrow(std::max(isCurved ? kLeastCurved : kLeastTurnedUp,
-                                (isCurved ? kCurved : kTurnedUp) * edges.length /
-                                    std::max(std::abs(edges.turn), 1e-9)),
+            const FreeEdges& edges = openings.at(keyOf(segment));
+            const bool curved = isCurved(segment);
+            if (curved || isTurnedUp(segment)) {
+                narrow(std::max(curved ? kLeastCurved : kLeastTurnedUp,
+                                (curved ? kCurved : kTurnedUp) / edges.curvature()),
                        AllowanceLimit::Curve);
             }
         }

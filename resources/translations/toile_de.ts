@@ -1745,8 +1745,8 @@ veraltet</translation>
         <translation>CSV-Tabellen</translation>
     </message>
     <message>
-        <source>spreadsheets: pieces, seams and the walk along them</source>
-        <translation>Tabellenprogramme: Teile, Nähte und der Weg entlang der Nähte</translation>
+        <source>spreadsheets: pieces, seams, free edges and the walk along them</source>
+        <translation>Tabellenprogramme: Teile, Nähte, offene Kanten und der Weg entlang der Nähte</translation>
     </message>
     <message>
         <source>JSON report</source>

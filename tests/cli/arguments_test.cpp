@@ -276,6 +276,36 @@ TEST(Arguments, EveryCommandThatDrawsAPatternTakesItsOptions) {
     }
 }
 
+TEST(Arguments, EdgeAllowanceSetsTheWidthOfOneKind) {
+    const auto widths = [](std::vector<const char*> typed) {
+        typed.insert(typed.begin(), {"flatten", "a.obj"});
+        return parse(typed).lines.allowance.value_or(AllowanceWidths{});
+    };
+    const AllowanceWidths set = widths({"--allowance", "12", "--hem", "20", "--edge-allowance",
+                                        "cuff=15", "--edge-allowance", "neckline=6.5"});
+    EXPECT_EQ(set.widthOf(EdgeKind::Cuff), 15);
+    EXPECT_EQ(set.widthOf(EdgeKind::Neckline), 6.5);
+    EXPECT_EQ(set.widthOf(EdgeKind::Hem), 20);
+    EXPECT_EQ(set.widthOf(EdgeKind::Waist), 12);
+    EXPECT_EQ(widths({"--edge-allowance", "hem=18"}).hem, 18);
+    // --hem sets hems and edges of unknown kind only.
+    const AllowanceWidths hem = widths({"--hem", "40"}), usual;
+    for (std::size_t k = 0; k < kEdgeKindCount; ++k) {
+        const auto kind = static_cast<EdgeKind>(k);
+        const bool isHem = kind == EdgeKind::Hem || kind == EdgeKind::Unknown;
+        EXPECT_EQ(hem.widthOf(kind), isHem ? 40 : usual.widthOf(kind)) << k;
+    }
+    for (const char* wrong : {"sleeve=10", "cuff", "cuff=", "cuff=wide", "cuff=-1", "cuff=501",
+                              "cuff=nan", "cuff=1=2", "=10", ""}) {
+        const Shown shown = refused({"flatten", "a.obj", "--edge-allowance", wrong});
+        EXPECT_EQ(shown.status, kExitUsage) << wrong;
+        EXPECT_NE(shown.message.find("--edge-allowance"), std::string::npos) << shown.message;
+    }
+    EXPECT_NE(refused({"flatten", "a.obj", "--edge-allowance", "sleeve=10"})
+                  .message.find("\"collar-edge\""),
+              std::string::npos);
+}
+
 TEST(Arguments, HelpAndVersionAreMessages) {
     const Arguments help = parse({"--help"});
     EXPECT_EQ(help.command, Command::Message);

@@ -35,7 +35,7 @@ TEST(ReportTables, EveryRowIsAsLongAsItsHead) {
         walkGarment(shirt.garment, shirt.results, shirt.laid.pattern, shirt.lines.notches);
     for (const ReportTable& table :
          {pieceTable(shirt.laid.pattern, shirt.results), ledgerTable(shirt.garment, shirt.results),
-          walkTable(shirt.garment, walked.notches, walked.walks)}) {
+          edgeTable(shirt.laid.pattern), walkTable(shirt.garment, walked.notches, walked.walks)}) {
         EXPECT_FALSE(table.rows.empty()) << table.title;
         for (const auto& row : table.rows) {
             EXPECT_EQ(row.size(), table.head.size()) << table.title;
@@ -94,9 +94,10 @@ TEST(CsvExport, WritesOneFilePerTable) {
     const test::TemporaryFolder folder;
     const auto written = exportFile(folder / "shirt.csv", shirt.source());
     ASSERT_TRUE(written);
-    ASSERT_EQ(written->files.size(), 3U);
+    ASSERT_EQ(written->files.size(), 4U);
     EXPECT_EQ(written->files[1].filename(), "shirt-seams.csv");
     EXPECT_EQ(written->files[2].filename(), "shirt-walk.csv");
+    EXPECT_EQ(written->files[3].filename(), "shirt-edges.csv");
     for (const auto& file : written->files) {
         EXPECT_TRUE(std::filesystem::exists(file)) << file;
     }

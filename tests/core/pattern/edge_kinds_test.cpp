@@ -195,6 +195,20 @@ TEST(AllowanceLimits, KeepTheEdgeOfANecklineAsLongAsItIs) {
     EXPECT_EQ(pieces[0].segments[1].limit, AllowanceLimit::None);
 }
 
+TEST(AllowanceLimits, AreThoseOfTheEdgeOfANecklineThatTurnsMost) {
+    // A round back neck and a straight front neck.
+    std::vector<PatternPiece> pieces{withRoundNeck(600, 600, 180), withRoundNeck(600, 600, 180)};
+    pieces[1].segments[0].edge = EdgeKind::Neckline;
+    pieces[1].segments[0].opening = 1;
+    pieces[1].segments[0].allowance = 7;
+    pieces[1].segments[3].edge = EdgeKind::Collar;
+    limitAllowances(pieces);
+    const PatternSegment& neck = pieces[0].segments[3];
+    EXPECT_LE(kHalfTurn * neck.allowance, 0.0301 * (neck.to - neck.from));
+    EXPECT_EQ(pieces[1].segments[0].allowance, neck.allowance);
+    EXPECT_EQ(pieces[1].segments[0].limit, AllowanceLimit::Curve);
+}
+
 TEST(AllowanceLimits, AreHalfTheWidthOfAStripAndNoneOnAButton) {
     std::vector<PatternPiece> pieces{withRoundNeck(14, 300, 1), withRoundNeck(12, 12, 1)};
     limitAllowances(pieces);
