@@ -431,7 +431,8 @@ void limitAllowances(std::vector<PatternPiece>& pieces) {
     };
     constexpr double kOwnShare = 0.05;  // of all: shorter edges are not judged alone
     const auto isCurved = [](const PatternSegment& segment) {
-        return segment.edge == EdgeKind::Neckline || segment.edge == EdgeKind::Armhole;
+        return segment.edge == EdgeKind::Neckline || segment.edge == EdgeKind::Armhole ||
+               segment.edge == EdgeKind::Collar;
     };
     struct FreeEdges {
         double length = 0, turn = 0;
@@ -446,8 +447,8 @@ void limitAllowances(std::vector<PatternPiece>& pieces) {
             return most;
         }
     };
-    // Necklines have one width, and armholes too, so that the widths meet at the shoulders and the
-    // two sides of a garment are alike.
+    // One width for all necklines, armholes or collars: widths meet at the shoulders, and both
+    // sides of a garment are alike.
     const auto keyOf = [&](const PatternSegment& segment) {
         return std::pair(isCurved(segment) ? -1 : segment.opening, segment.edge);
     };

@@ -71,10 +71,11 @@ inline constexpr double kMinAllowanceArea = 200;
 /// Narrows allowances that the user has not set, and records why:
 /// - Pieces below `kMinAllowanceArea` have none.
 /// - Beside a free edge, an allowance is at most half as wide as the piece is there.
-/// - If the edges of an opening turn by t over a length l, an allowance w changes the length by
-///   w t. That may be 3 % of l at necklines and armholes, 10 % at edges that are turned up; but an
-///   allowance of 5 mm or 10 mm is left, because less cannot be sewn.
-/// Widths are whole steps of 0.5 mm.  Cost: edges times points of their outlines. Pure.
+/// - If an edge turns by t over a length l, an allowance w changes its length by w t. That may be
+///   3 % of l at necklines, armholes and collars, 10 % at edges that are turned up; but an
+///   allowance of 5 mm or 10 mm is left, because less cannot be sewn. All edges of an opening that
+///   are turned up have one width, and so have all necklines, all armholes and all collars.
+/// Widths are whole steps of 0.5 mm. Cost: edges times points of their outlines. Pure.
 void limitAllowances(std::vector<PatternPiece>& pieces);
 
 /// How allowances meet where segment k starts, set or default: where a hem ends beside another
