@@ -98,7 +98,8 @@ CASES = [
     Case("lines", *[flatten("bent-bodice.obj", *words, "-o", f"{number}.svg", "-o", f"{number}.json")
                     for number, words in enumerate([
                         ["--fair"], ["--fair=0.5,30"], ["--true"], ["--mirror", "auto"],
-                        ["--mirror", "none", "--allowance", "12", "--hem", "20"],
+                        ["--mirror", "none", "--allowance", "12", "--hem", "20", "--edge-allowance",
+                         "armhole=9"],
                         ["--notches", "auto", "--allowance", "4"], ["--notches", "none", "--pattern"],
                         ["--grain", "vertical"], ["--grain", "reference"], ["--grain", "least-strain"],
                         ["--mirror", "equal"]])]),
