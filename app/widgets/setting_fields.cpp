@@ -21,7 +21,7 @@ namespace {
 
 using FieldKind = SettingField::Kind;
 
-constexpr int kMinNumberWidth = 86, kMaxNumberWidth = 160;  // logical pixels
+constexpr int kMinChoiceWidth = 110, kMinNumberWidth = 86, kMaxNumberWidth = 160;  // logical pixels
 constexpr int kGroupIndent = 18;
 
 /// Stored value of 1 unit in the field.
@@ -153,6 +153,8 @@ QWidget* SettingFields::makeField(const SettingField& of) {
         for (const char* name : of.setting.names) {
             list->addItem(app::tr(name));
         }
+        // Long choices may be cut off in a narrow form.
+        list->setMinimumWidth(std::min(kMinChoiceWidth, list->minimumSizeHint().width()));
         connect(list, &QComboBox::activated, this, [takeValue] { takeValue(false); });
         return list;
     }

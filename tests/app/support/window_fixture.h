@@ -28,7 +28,7 @@ public:
     QString path(const QString& name) const { return folder_.filePath(name); }
 
     /// @param start  most tests need the exact outlines
-    void open(QSize size = {1440, 900}, NewGarment start = NewGarment::Exact) {
+    void open(QSize size = {1400, 900}, NewGarment start = NewGarment::Exact) {
         preferences_ = std::make_unique<Preferences>(QString());
         Choices choices = preferences_->choices();
         choices.newGarment = start;
