@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // This file is long because state, derived values and selection change together and are announced
 // once.
 #include "app/document/document.h"
