@@ -402,7 +402,7 @@ private slots:
 
     void isThePictureOfTheWindow() {
         test::WindowFixture fixture;
-        fixture.open();
+        fixture.open({1440, 900});
         const QString file = fixture.path("cap.obj");
         test::writeObj(file.toStdString(), test::sewnCapParts());
         QVERIFY(fixture.openAndWait(file));

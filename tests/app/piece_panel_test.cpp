@@ -168,17 +168,20 @@ private slots:
 
     void withoutASelectionNothingMovesAndNothingCanBeTyped() {
         document().setSelection({0});
-        const QPoint place = quantity().mapTo(&fixture_.window(), QPoint());
+        const QPoint place = quantity().pos();
         const QSize extent = quantity().size();
         document().setSelection({});
         QCoreApplication::processEvents();
-        QCOMPARE(quantity().mapTo(&fixture_.window(), QPoint()), place);
-        QCOMPARE(quantity().size(), extent);
+        QVERIFY(!quantity().isVisible());
         for (const char* field : {"pieceName", "pieceQuantity", "piecePair", "pieceMaterial",
                                   "positionGrain", "positionX", "positionAngle"}) {
             QVERIFY2(!fixture_.find<QWidget>(field).isEnabled(), field);
         }
         QCOMPARE(quantity().text().trimmed(), QString());
+        document().setSelection({0});
+        QCoreApplication::processEvents();
+        QCOMPARE(quantity().pos(), place);
+        QCOMPARE(quantity().size(), extent);
     }
 };
 
