@@ -24,7 +24,7 @@ enum class Overlay {
     Warp,        ///< strain along the grain
     Weft,        ///< strain across it
     Bias,        ///< strain at 45 degrees to it, the worse of both diagonals
-    Principal,   ///< largest and smallest strain and their directions, as glyphs
+    Principal,   ///< principal strains and their directions, as glyphs
     Dirichlet,   ///< symmetric Dirichlet energy, above that of cloth that keeps its shape
     Normal,      ///< normal of the 3D cloth, as a colour ([Wan05], figures)
     Gap,         ///< distance of the sewn pattern outside the design, mm
@@ -65,7 +65,7 @@ struct OverlayTraits {
     OverlayKind kind = OverlayKind::Flat;
     OverlayUnit unit = OverlayUnit::Percent;
     int decimals = 1;
-    double finest = 0.1;  ///< smallest end of the colour scale: less is irrelevant to cloth
+    double finest = 0.1;  ///< minimum range of the colour scale; less does not matter for cloth
     bool hasSign = true;  ///< 0 is in the middle of the colours
     bool usesGrain = false;
     LimitedBy limit = LimitedBy::Nothing;

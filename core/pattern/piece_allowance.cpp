@@ -425,7 +425,7 @@ double turnWithin(const geometry::Line& outline, const PatternSegment& segment) 
 
 void limitAllowances(std::vector<PatternPiece>& pieces) {
     constexpr double kCurved = 0.03, kTurnedUp = 0.1, kWhole = 0.5;
-    constexpr double kLeastCurved = 5, kLeastTurnedUp = 10;  // mm: less cannot be sewn
+    constexpr double kMinCurved = 5, kMinTurnedUp = 10;  // mm: less cannot be sewn
     const auto isLimited = [](const PatternSegment& segment) {
         return isFreeEdge(segment) && !segment.isAllowanceSet && segment.allowance > 0;
     };
@@ -478,7 +478,7 @@ void limitAllowances(std::vector<PatternPiece>& pieces) {
     }
     for (PatternPiece& piece : pieces) {
         for (PatternSegment& segment : piece.segments) {
-            if (!isLimited(segment)) {
+            if (piece.outline.rows() < 3 || !isLimited(segment)) {
                 continue;
             }
             const auto narrow = [&segment](double width, AllowanceLimit limit) {
@@ -494,7 +494,7 @@ void limitAllowances(std::vector<PatternPiece>& pieces) {
             const FreeEdges& edges = openings.at(keyOf(segment));
             const bool curved = isCurved(segment);
             if (curved || isTurnedUp(segment)) {
-                narrow(std::max(curved ? kLeastCurved : kLeastTurnedUp,
+                narrow(std::max(curved ? kMinCurved : kMinTurnedUp,
                                 (curved ? kCurved : kTurnedUp) / edges.curvature()),
                        AllowanceLimit::Curve);
             }
